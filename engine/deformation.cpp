@@ -15,6 +15,7 @@ BoundingSphere bounding_sphere(const Mesh& mesh, const Deformation& deformation)
 }
 
 Wave default_wave(const Mesh& mesh, const glm::dvec3& up, double turns) {
+    RIMLINE_CHECK(glm::length(up) > 0.0);
     const glm::dvec3 direction = glm::normalize(up);
     const glm::dvec3 x(1.0, 0.0, 0.0);
     const glm::dvec3 seed = std::abs(direction.x) < 0.9 ? x : glm::dvec3(0.0, 1.0, 0.0);

@@ -6,7 +6,7 @@
 namespace rimline {
 
 Renderer::Renderer(const DeviceContext& context, const RendererOptions& options)
-    : frames_(std::make_unique<FramesInFlight>(context, checked(options))) {}
+    : frames_(std::make_unique<FramesInFlight>(checked(context), checked(options))) {}
 
 Renderer::~Renderer() = default;
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "silhouette/error.h"
 #include "silhouette/lines/fitted_eye.h"
 #include "silhouette/mesh/ground_axes.h"
 
@@ -15,6 +16,7 @@ namespace rimline {
 
 Camera zoom_camera(Camera camera, const Mesh& mesh, double aspect) {
     constexpr double k_min_fov_deg = 1.0;
+    RIMLINE_CHECK(aspect > 0.0);
     camera.ortho_height = 0.0;
     camera.target = mesh.center();
     const std::optional<FittedLens> lens =
@@ -26,16 +28,21 @@ Camera zoom_camera(Camera camera, const Mesh& mesh, double aspect) {
     return camera;
 }
 
-glm::dvec3 default_view_direction(const glm::dvec3& up) { return three_quarter_direction(up); }
+glm::dvec3 default_view_direction(const glm::dvec3& up) {
+    RIMLINE_CHECK(glm::length(up) > 0.0);
+    return three_quarter_direction(up);
+}
 
 Camera fit_camera(Camera camera, const Subject& subject, const glm::dvec3& towards_viewer,
                   double aspect) {
+    RIMLINE_CHECK(aspect > 0.0 && glm::length(towards_viewer) > 0.0);
     if (camera.is_orthographic()) {
         const double radius = subject.radius > 0.0 ? subject.radius : 1.0;
         camera.target = subject.center;
         camera.eye = camera.target + glm::normalize(towards_viewer) * (3.0 * radius);
         return camera;
     }
+    RIMLINE_CHECK(camera.fov_y_deg > 0.0 && camera.fov_y_deg < 180.0);
     const double tangent = std::tan(0.5 * glm::radians(camera.fov_y_deg));
     const FittedEye fitted = fit_eye(subject.positions, subject.center, subject.radius,
                                      towards_viewer, camera.up, {tangent * aspect, tangent});
@@ -53,6 +60,7 @@ Light default_sun(const Camera& camera) {
 }
 
 MeshSource make_ground(const Mesh& mesh, const glm::dvec3& up, double radius) {
+    RIMLINE_CHECK(glm::length(up) > 0.0 && radius >= 0.0);
     const glm::dvec3 n = glm::normalize(up);
     double lowest = std::numeric_limits<double>::max();
     for (const glm::vec3& position : mesh.positions())

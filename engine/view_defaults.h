@@ -1,6 +1,7 @@
 #pragma once
 
-// Defaults: a camera, a light, a ground, and the look of the styles.
+// Defaults: a camera, a light, a ground, and the look of the styles. A direction that is 0, or an aspect that is not
+// greater than 0, stops the program.
 
 #include <span>
 

@@ -173,6 +173,8 @@ void FramesInFlight::record_silhouettes(Commands commands, RecordedFrame& frame)
 FrameReport FramesInFlight::record(VkCommandBuffer commands, VkCommandBuffer picture,
                                    const Scene& scene, const PictureTarget& target) {
     check_scene(scene);
+    check_target(target);
+    RIMLINE_CHECK(commands != VK_NULL_HANDLE && picture != VK_NULL_HANDLE);
     Frame& frame = free_frame(ring_slot());
     RIMLINE_CHECK(passes_.has_targets_for(scene, target) && passes_.is_prepared(scene, target) &&
                   instances_.is_prepared(scene));

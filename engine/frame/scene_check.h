@@ -1,17 +1,26 @@
 #pragma once
 
-// The limits of what a scene says (scene.h, camera.h), whatever the device.
+// The limits of what callers say of scenes, options and targets, whatever the device. What is outside of them stops
+// the program (RIMLINE_CHECK).
 
 namespace rimline {
 
+struct DeviceContext;
+struct PictureTarget;
 struct RendererOptions;
 struct Scene;
 
-/// Stops the program (RIMLINE_CHECK) where a number of the scene is outside of its limits. Meshes are not read.
-/// O(instances + lights).
+/// Of all numbers in scene.h and camera.h. Meshes and points of lines are not read.
+/// O(instances + lights + picture lines).
 void check_scene(const Scene& scene) noexcept;
 
-/// The same of a renderer's options. Returns them.
+/// Of a target that a frame is recorded for: it has an image, a view and a place, and so has its backdrop.
+void check_target(const PictureTarget& target) noexcept;
+
+/// Of a renderer's options. Returns them.
 const RendererOptions& checked(const RendererOptions& options) noexcept;
+
+/// Of a context: it has a device. Returns it.
+const DeviceContext& checked(const DeviceContext& context) noexcept;
 
 }  // namespace rimline

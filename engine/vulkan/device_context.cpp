@@ -19,6 +19,8 @@ void require_round_to_nearest(const DeviceContext& context, const std::string& w
 }
 
 DeviceContext make_device_context(const HostDevice& host) {
+    RIMLINE_CHECK(host.instance != VK_NULL_HANDLE && host.physical_device != VK_NULL_HANDLE);
+    RIMLINE_CHECK(host.device != VK_NULL_HANDLE);
     const InstanceFunctions instance =
         load_instance_functions(host.loader ? host.loader : system_loader(), host.instance);
     DeviceFunctions functions = load_device_functions(instance, host.device);

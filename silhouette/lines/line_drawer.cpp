@@ -55,6 +55,9 @@ const LineDrawing& LineDrawer::draw_next(const LineView& view, std::span<const E
 const LineDrawing& LineDrawer::draw(const LineView& view, std::span<const EdgeId> silhouette,
                                     const ChangeSet* changes, const LineOptions& options,
                                     const LongCall& call) {
+    for (const double length : {options.gap, options.min_length, options.stubble, options.smooth,
+                                options.simplify, double{options.crease_angle_rad}})
+        RIMLINE_CHECK(length >= 0.0);
     LineFrame& frame = state_->frame;
     LineDrawing& drawing = state_->drawing;
     drawing.clear();

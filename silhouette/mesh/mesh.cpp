@@ -100,8 +100,7 @@ Mesh::Mesh(const MeshSource& source, Welding welding, const LongCall& call)
     if (source.triangles.size() > k_max_faces || source.positions.size() > 0xfffffff0u)
         throw Error(ErrorCode::too_large, "the mesh has more than 2^30 triangles or 2^32 vertices");
     RIMLINE_CHECK(are_materials_of(materials_, source.triangles.size()));
-    RIMLINE_CHECK(source.edge_codes.empty() ||
-                  source.edge_codes.size() == source.triangles.size());
+    RIMLINE_CHECK(source.edge_codes.empty() || source.edge_codes.size() == source.triangles.size());
     call.checkpoint(0.0);
     weld(source, welding, call.stop);
     call.checkpoint(0.2);

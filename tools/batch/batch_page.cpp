@@ -33,7 +33,8 @@ std::string url(const std::string& path) {
 
 bool is_shown(const std::string& output) {
     const std::string ending = fs::path(output).extension().string();
-    return ending == ".png" || ending == ".svg";
+    constexpr std::array<std::string_view, 4> k_shown{".png", ".svg", ".apng", ".gif"};
+    return std::ranges::find(k_shown, ending) != k_shown.end();
 }
 
 // The contact sheet, else the first picture.

@@ -50,6 +50,7 @@ submit() {
         case "$before" in -o | --output) folder=$word ;; esac
         case "$word" in
             --output=*) folder=${word#--output=} ;;
+            -o?*) folder=${word#-o} ;;
             --threads*) has_threads=1 ;;
             --) has_subcommand=1 && break ;;
         esac

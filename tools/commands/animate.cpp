@@ -239,6 +239,10 @@ private:
         if (picture_.eye && path_.is_moving())
             throw UsageError(
                 "--eye: the camera stands there; leave out --path, --radius and --step");
+        if (!path_.is_orbit() && picture_.view.given({0, 1, 0}))
+            throw UsageError(
+                "a named --eye, --azimuth and --elevation: say where an orbit begins; leave out "
+                "--path");
         if (wave_step_option_->count() > 0 && deform_.empty())
             throw UsageError("--wave-step: belongs to --deform wave");
     }

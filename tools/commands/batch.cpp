@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -113,6 +114,7 @@ public:
     }
 
     ExitStatus run(const Context& context) override {
+        check_page();
         check_subcommand();
         const std::vector<BatchTask> tasks = make_tasks(context);
         context.times.end("finding models");
@@ -140,6 +142,7 @@ public:
             }
         }
         for (const auto& [input, entry] : manifest.entries()) {
+            if (entry.status != "ok" || !entry.command.starts_with(rest_.front() + " ")) continue;
             known_ms += entry.ms;
             ++known;
         }
@@ -192,6 +195,18 @@ private:
                                            (error ? error.message() : "a file has its name"));
     }
 
+    // Subcommands that write a file, with a name of their own, where none is given.
+    static bool writes_without_output(std::string_view subcommand) {
+        return subcommand == "render" || subcommand == "draw" || subcommand == "animate";
+    }
+
+    // A name that a shell made of a pattern may be a model.
+    void check_page() const {
+        const std::string ending = fs::path(page_).extension().string();
+        if (!page_.empty() && ending != ".html" && ending != ".htm")
+            throw UsageError("--page: expected a name that ends in .html, not '" + page_ + "'");
+    }
+
     void check_subcommand() const {
         if (rest_.empty())
             throw UsageError(
@@ -212,19 +227,24 @@ private:
         Progress progress(context, "finding models");
         std::vector<BatchTask> tasks;
         std::map<std::string, const BatchInput*> of_output;
-        std::vector<BatchInput> inputs = find_batch_inputs(sources_, progress.call());
+        const std::vector<BatchInput> inputs = find_batch_inputs(sources_, progress.call());
         if (inputs.empty()) throw Error(ErrorCode::bad_input, "no model among what was given");
-        std::erase_if(inputs, [&](const BatchInput& input) { return !shard_.contains(input); });
-        for (const BatchInput& input : inputs)
-            tasks.push_back(make_batch_task(input, rest_, folder_));
-        for (const BatchTask& task : tasks) {
+        for (const BatchInput& input : inputs) {
+            BatchTask task = make_batch_task(input, rest_, folder_);
+            if (task.outputs.empty() && writes_without_output(rest_.front()))
+                throw UsageError("after -- " + rest_.front() +
+                                 " needs -o, as -o {out}/{path}.png: else all models would write "
+                                 "one file");
+            // Those of other shards too.
             for (const std::string& output : task.outputs) {
-                const auto [other, is_first] = of_output.try_emplace(output, &task.input);
-                if (is_first || other->second == &task.input) continue;
-                throw UsageError(other->second->model + " and " + task.input.model +
+                const auto [other, is_first] = of_output.try_emplace(output, &input);
+                if (is_first || other->second == &input) continue;
+                throw UsageError(other->second->model + " and " + input.model +
                                  " would both write " + output +
-                                 ": use {path} in it, or {name}, or batches of their own");
+                                 ": use {path} in it, of one folder above both, or {name}, or "
+                                 "batches of their own");
             }
+            if (shard_.contains(input)) tasks.push_back(std::move(task));
         }
         return tasks;
     }
@@ -294,7 +314,7 @@ private:
         const auto usage = kinds_.find("usage");
         const bool all_are = usage != kinds_.end() && usage->second == done_ && skipped_ == 0;
         if (all_are && (is_last || done_ >= k_tried))
-            throw UsageError("of the subcommand: " + words_of(end.error));
+            throw UsageError("of the subcommand: " + without_advice(words_of(end.error)));
     }
 
     void start(const BatchTask& task, const BatchLimits& limits, std::vector<Running>& running,
@@ -315,9 +335,17 @@ private:
         running.push_back({&task, digest, std::make_unique<BatchProcess>(arguments, limits)});
     }
 
+    // Without "(see rimline draw --help)" at its end: the batch's own follows.
+    static std::string without_advice(std::string error) {
+        const std::size_t advice = error.rfind(" (see rimline ");
+        if (advice != std::string::npos) error.erase(advice);
+        return error;
+    }
+
     static std::string words_of(std::string error) {
         constexpr std::string_view k_prefix = "rimline: error: ";
-        return error.starts_with(k_prefix) ? error.substr(k_prefix.size()) : error;
+        if (error.starts_with(k_prefix)) error.erase(0, k_prefix.size());
+        return error;
     }
 
     void record(const BatchTask& task, const std::string& digest, const BatchEnd& end,
@@ -363,7 +391,8 @@ private:
 
     ExitStatus print_dry(const Context& context, const std::vector<BatchTask>& tasks,
                          const std::vector<const BatchTask*>& left, double mean_ms) const {
-        const double estimate_s = 1e-3 * mean_ms * double(left.size()) / models_at_a_time();
+        const double rounds = std::ceil(double(left.size()) / models_at_a_time());
+        const double estimate_s = 1e-3 * mean_ms * rounds;
         if (context.json) {
             nlohmann::ordered_json commands = nlohmann::ordered_json::array();
             for (const BatchTask* task : left) commands.push_back(task->command);

@@ -144,8 +144,7 @@ public:
             throw UsageError("-o: expected a name that ends in .svg, .pdf, .dxf or .json, not '" +
                              output_ + "'");
         const DrawingFormat format = *named;
-        if (!has_curves(format) && (lines_.color || lines_.has_material_colors))
-            throw UsageError("--line-color: only drawings in SVG and PDF have colors");
+        check_format(format);
         OutputFile file(output_, model_.model);
         const Mesh mesh = model_.load_drawn_mesh(
             context, lines_.has_material_colors ? TexturePictures::read : TexturePictures::skip);
@@ -202,6 +201,14 @@ private:
             throw UsageError("--scale: needs an orthographic view: --ortho auto, or --views");
         if (lines_.hidden_by > 0 && !lines_.draws_hidden())
             throw UsageError("--hidden-by: needs --hidden dashed or --hidden layer");
+    }
+
+    void check_format(DrawingFormat format) const {
+        if (has_sources_ && format != DrawingFormat::svg)
+            throw UsageError("--source: only drawings in SVG name edges");
+        if (has_curves(format)) return;
+        if (lines_.color || lines_.has_material_colors)
+            throw UsageError("--line-color: only drawings in SVG and PDF have colors");
     }
 
     static bool has_curves(DrawingFormat format) {

@@ -174,7 +174,7 @@ private:
         if (grid.points().empty())
             throw Error(ErrorCode::bad_input,
                         "--slice: that plane does not meet the function's domain, which ends " +
-                            short_number(function.max_radius, 0.1) + " from the center");
+                            short_number(function.max_radius, 0.1) + " radii from the center");
         std::vector<double> values(grid.points().size());
         {
             Progress progress(context, "summing votes");

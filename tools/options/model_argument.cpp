@@ -180,6 +180,10 @@ void check_viewing_range(const std::string& model, const Mesh& mesh) {
 
 void check_has_extent(const std::string& model, const Mesh& mesh) {
     check_viewing_range(model, mesh);
+    check_is_no_point(model, mesh);
+}
+
+void check_is_no_point(const std::string& model, const Mesh& mesh) {
     if (mesh.radius() == 0.0)
         throw Error(ErrorCode::bad_input,
                     model + ": its radius is 0: take a model whose vertices are not all one point");

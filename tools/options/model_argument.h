@@ -60,7 +60,9 @@ Mesh make_mesh(const std::string& model, const MeshSource& source, const Context
 /// Throws Error{too_large} if viewpoints at three radii from the mesh's center exceed the range of
 /// coordinates.
 void check_viewing_range(const std::string& model, const Mesh& mesh);
-/// The same, and throws Error{bad_input} if all vertices are one point.
+/// Throws Error{bad_input} if all vertices are one point.
+void check_is_no_point(const std::string& model, const Mesh& mesh);
+/// Both.
 void check_has_extent(const std::string& model, const Mesh& mesh);
 
 /// To be called in a catch block: rethrows the exception, or if the file is a scene file (scene_mark.h) an Error{bad_input}

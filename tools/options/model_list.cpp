@@ -312,7 +312,7 @@ Mesh ModelList::load_mesh(PictureOptions& picture, TexturePictures textures, boo
         const MeshSource source =
             load_drawn_model(model.model, model.subdivide, context, textures, model.format);
         Mesh mesh = make_mesh(model.model, source, context);
-        check_has_extent(model.model, mesh);
+        check_is_no_point(model.model, mesh);
         up_ = settle_up(mesh, picture.up, picture.is_up_auto);
         return mesh;
     }
@@ -322,7 +322,7 @@ Mesh ModelList::load_mesh(PictureOptions& picture, TexturePictures textures, boo
     for (const std::string& warning : source.warnings) print_warning(warning);
     context.times.end("reading");
     Mesh mesh = make_mesh(name_, source, context);
-    check_has_extent(name_, mesh);
+    check_is_no_point(name_, mesh);
     return mesh;
 }
 
@@ -361,6 +361,11 @@ std::vector<std::string> arguments_of(std::span<const PlacedModel> models) {
         if (model.up) add("--up", text_of(*model.up));
         if (model.paint) add("--paint", to_json(model)["paint"].get<std::string>());
     }
+    // The option is of all models.
+    const std::uint32_t steps = models.empty() ? 0 : models.front().subdivide;
+    const bool is_of_all = std::ranges::all_of(
+        models, [&](const PlacedModel& model) { return model.subdivide == steps; });
+    if (steps > 0 && is_of_all) add("--subdivide", std::to_string(steps));
     return arguments;
 }
 

@@ -38,6 +38,7 @@ struct PathOptions {
 
     /// Throws UsageError if `option` is given and the path is not `required_path`.
     void require_path(const CLI::Option* option, const std::string& required_path) const;
+    bool is_orbit() const { return path == "orbit"; }
     /// Whether an option of the path is given. --frames does not count.
     bool is_moving() const;
 

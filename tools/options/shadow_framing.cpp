@@ -60,6 +60,15 @@ private:
     double limit_, ground_;
 };
 
+// Whether the ground, which is seen from above only, is not seen.
+bool is_below_ground(const Camera& camera, const Mesh& mesh, const glm::dvec3& ground_up) {
+    if (camera.is_orthographic()) return glm::dot(camera.eye - camera.target, ground_up) < 0.0;
+    const double height = glm::dot(camera.eye, ground_up);
+    return std::ranges::all_of(mesh.positions(), [&](const glm::vec3& p) {
+        return height < glm::dot(glm::dvec3(p), ground_up);
+    });
+}
+
 // Vertices of the mesh that are the farthest ones in some direction.
 std::vector<glm::vec3> outline_positions(const Mesh& mesh) {
     // Directions of a spiral over the sphere, evenly spread.
@@ -85,7 +94,9 @@ std::vector<FramedShot> framed_shots(std::span<const Shot> shots, const Mesh& me
     const std::vector<glm::vec3> outline = outline_positions(mesh);
     std::vector<FramedShot> framed;
     for (const Shot& shot : shots)
-        framed.push_back({shot.camera, shadow_places(mesh, outline, shot.lights, ground_up)});
+        framed.push_back({shot.camera, is_below_ground(shot.camera, mesh, ground_up)
+                                           ? std::vector<glm::vec3>()
+                                           : shadow_places(mesh, outline, shot.lights, ground_up)});
     return framed;
 }
 
@@ -128,6 +139,7 @@ double fade_of_ground(const Mesh& mesh, std::span<const Light> lights,
 
 Camera frame_with_shadows(const Camera& camera, const Mesh& mesh, std::span<const Light> lights,
                           const glm::dvec3& ground_up, double aspect) {
+    if (is_below_ground(camera, mesh, ground_up)) return camera;
     std::vector<glm::vec3> points = shadow_places(mesh, mesh.positions(), lights, ground_up);
     double radius = mesh.radius();
     for (const glm::vec3& place : points)
@@ -149,6 +161,7 @@ void frame_ground(Scene& scene, const Mesh& mesh, const PictureOptions& options)
 
 Camera zoom_with_shadows(const Camera& camera, const Mesh& mesh, std::span<const Light> lights,
                          const glm::dvec3& ground_up, double aspect) {
+    if (is_below_ground(camera, mesh, ground_up)) return camera;
     const glm::dmat3 axes = camera_from_world(camera);
     std::vector<glm::vec3> points = shadow_places(mesh, mesh.positions(), lights, ground_up);
     std::erase_if(points,

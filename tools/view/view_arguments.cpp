@@ -10,7 +10,6 @@
 #include "tools/options/scene_lights.h"
 #include "tools/options/shadow_framing.h"
 #include "tools/options/standard_input.h"
-#include "tools/options/three_point.h"
 #include "tools/usage_words.h"
 
 namespace rimline::tools {
@@ -108,7 +107,6 @@ OpenedView ViewArguments::model_view(Document document) {
         camera, SceneLights(picture_, model.mesh(), scene_.ground).lights(camera, aspect),
         picture_);
     if (scene_.ground) frame_ground(scene, model.mesh(), picture_);
-    if (picture_.is_three_point()) add_fill_and_rim(scene);
     ViewAppearance& appearance = view.appearance;
     appearance.set_style(scene.style);
     appearance.background = scene.palette.background;
@@ -124,6 +122,7 @@ OpenedView ViewArguments::model_view(Document document) {
     appearance.shadows = scene.shadows;
     appearance.shadow_method = scene.shadow_method;
     appearance.ground = scene_.ground;
+    appearance.three_point = picture_.is_three_point();
     view.camera = scene.camera;
     view.lights = std::move(scene.lights);
     view.has_chosen_sun = picture_.lights.empty() && picture_.suns.empty();

@@ -195,10 +195,15 @@ void ViewLoop::save_scene(const PanelRequests::Save& save) {
         OutputFile file(save.path);
         file.write(scene_text(session_.written_scene(save.size), save.path));
         file.commit();
-        panel_.show_message("saved " + save.path, false);
+        panel_.show_message("saved " + save.path + without_frozen(), false);
     } catch (const std::runtime_error& error) {
         panel_.show_message(error.what(), true);
     }
+}
+
+// What commands and scene files cannot say.
+std::string ViewLoop::without_frozen() const {
+    return session_.frozen() ? ", without the frozen silhouette" : "";
 }
 
 void ViewLoop::find_views() {
@@ -234,7 +239,7 @@ void ViewLoop::move_along_path() {
 void ViewLoop::copy_command() {
     const PanelRequests::Save picture = panel_.picture_request();
     glfwSetClipboardString(window_.handle(), session_.command(picture.size, picture.path).c_str());
-    panel_.show_message("the command is in the clipboard", false);
+    panel_.show_message("the command is in the clipboard" + without_frozen(), false);
 }
 
 void ViewLoop::execute(const PanelRequests& requests) {
@@ -248,13 +253,17 @@ void ViewLoop::execute(const PanelRequests& requests) {
                          .added = {},
                          .up = session_.scene_up(),
                          .positions = {}});
+    if (requests.up) {
+        set_up(session_.camera, *requests.up);
+        find_views();
+    }
     if (requests.look_from) session_.look_from(*requests.look_from);
-    if (requests.fit || requests.look_from) fit();
+    if (requests.fit || requests.look_from || (requests.up && input_.is_framed)) fit();
     const bool is_dark = requests.look_from && !session_.is_cloud() && session_.has_chosen_sun();
     if (requests.choose_sun || is_dark) session_.choose_sun(free_area().aspect());
     if (requests.copy_command) copy_command();
     if (requests.play) play_or_stop();
-    if (requests.fit || requests.look_from || requests.choose_sun || requests.play)
+    if (requests.fit || requests.look_from || requests.up || requests.choose_sun || requests.play)
         frames_due_ = k_frames_after_event;
     if (requests.save) save(*requests.save);
     if (requests.save_scene) save_scene(*requests.save_scene);

@@ -22,7 +22,7 @@ namespace {
 constexpr std::array k_styles{"ink", "toon", "mask", "blueprint", "hatch"};
 // The first turns shadows off; the others are the values of ShadowMethod that can be asked for, in order.
 constexpr std::array k_shadows{"off", "automatic", "depth fail"};
-constexpr std::array k_axes{"x", "y", "z", "as given"};
+constexpr std::array k_axes{"x", "y", "z", "-x", "-y", "-z", "another"};
 
 bool section(const char* name, bool open = true) {
     return ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
@@ -49,11 +49,12 @@ bool choose(const char* name, const std::array<const char*, count>& names, int& 
     return ImGui::Combo(name, &chosen, names.data(), static_cast<int>(count));
 }
 
-// The index of the coordinate axis; 3 if `up` is not a coordinate axis.
+// The place in k_axes.
 int axis_of(const glm::dvec3& up) {
     for (int axis = 0; axis < 3; ++axis)
-        if (up[axis] > 0.0 && up[(axis + 1) % 3] == 0.0 && up[(axis + 2) % 3] == 0.0) return axis;
-    return 3;
+        if (up[(axis + 1) % 3] == 0.0 && up[(axis + 2) % 3] == 0.0)
+            return up[axis] > 0.0 ? axis : axis + 3;
+    return 6;
 }
 
 // The new color if the user changed it. Both colors are linear.
@@ -199,10 +200,9 @@ void ViewPanel::draw_view(ViewSession& session, ViewInput& input, PanelRequests&
 
     draw_directions(session, requests);
     int up = axis_of(session.camera.up);
-    if (choose("up", k_axes, up) && up < 3) {
-        glm::dvec3 axis(0.0);
-        axis[up] = 1.0;
-        set_up(session.camera, axis);
+    if (choose("up", k_axes, up) && up < 6) {
+        requests.up = glm::dvec3(0.0);
+        (*requests.up)[up % 3] = up < 3 ? 1.0 : -1.0;
     }
     if (ImGui::Checkbox("orthographic", &session.appearance.orthographic)) session.apply_lens();
     if (!session.appearance.orthographic) {
@@ -301,7 +301,8 @@ void ViewPanel::draw_appearance(ViewSession& session) {
     bool creases = appearance.crease_angle_deg > 0.0f;
     if (ImGui::Checkbox("creases", &creases)) {
         appearance.crease_angle_deg = creases ? 30.0f : 0.0f;
-        appearance.only_clear_creases = true;
+        // As --crease: a style without creases of its own draws all.
+        appearance.only_clear_creases = style_defaults(appearance.style).crease_angle_deg > 0.0f;
     }
     if (creases) {
         ImGui::SameLine();
@@ -366,11 +367,15 @@ void ViewPanel::draw_enabled_lights(ViewSession& session, PanelRequests& request
         if (ImGui::RadioButton("sun", &kind, 0)) light = as_sun(light, bounds);
         ImGui::SameLine();
         if (ImGui::RadioButton("lamp", &kind, 1)) light = as_lamp(light, bounds);
-        ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize("Remove").x -
-                        2.0f * ImGui::GetStyle().FramePadding.x);
-        if (ImGui::SmallButton("Remove")) removed = i;
+        if (session.lights.size() > 1) {
+            ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize("Remove").x -
+                            2.0f * ImGui::GetStyle().FramePadding.x);
+            if (ImGui::SmallButton("Remove")) removed = i;
+        }
         ImGui::PopID();
     }
+    if (session.lights.size() == 1 && session.lights[0].directional)
+        ImGui::Checkbox("fill and rim light", &session.appearance.three_point);
     if (removed) session.remove_light(*removed);
     constexpr std::size_t k_max_lights = 8;
     if (session.lights.size() < k_max_lights) {
@@ -379,7 +384,7 @@ void ViewPanel::draw_enabled_lights(ViewSession& session, PanelRequests& request
         ImGui::SameLine();
     }
     if (ImGui::Button("Choose the sun", {-1.0f, 0.0f})) requests.choose_sun = true;
-    if (!session.lights.empty()) ImGui::TextDisabled("drag the handles; the wheel pushes them");
+    ImGui::TextDisabled("drag the handles; the wheel pushes them");
 }
 
 PanelRequests::Save ViewPanel::picture_request() const {

@@ -28,6 +28,7 @@ struct PanelRequests {
     bool choose_sun = false;                           ///< Light the model for the camera.
     bool play = false;                                 ///< Begin to play the camera path, or stop.
     bool copy_command = false;  ///< Put a command line that draws the picture into the clipboard.
+    std::optional<glm::dvec3> up;         ///< Make this axis the upward one.
     std::optional<glm::dvec3> look_from;  ///< Turn the camera: the direction towards the viewer.
     struct Save {
         std::string path;

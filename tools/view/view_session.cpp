@@ -19,6 +19,7 @@
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_lights.h"
 #include "tools/options/shadow_framing.h"
+#include "tools/options/three_point.h"
 #include "tools/options/view_camera.h"
 #include "tools/output/camera_report.h"
 #include "tools/output/same_picture.h"
@@ -48,14 +49,8 @@ const char* style_name(Style style) {
     return "";
 }
 
-// Whether they are a sun with the lights of three_point.h, which follow from it.
-bool are_three_point(std::span<const Light> lights) {
-    return lights.size() == 3 && lights[0].directional && lights[0].casts_shadows &&
-           !lights[1].casts_shadows && !lights[2].casts_shadows;
-}
-
 // "picture" of a scene file. What is the style's own is left out.
-nlohmann::ordered_json picture_json(const ViewAppearance& appearance, std::span<const Light> lights,
+nlohmann::ordered_json picture_json(const ViewAppearance& appearance, bool is_three_point,
                                     ImageSize size) {
     const StyleDefaults defaults = style_defaults(appearance.style);
     nlohmann::ordered_json json{{"style", style_name(appearance.style)}};
@@ -82,7 +77,7 @@ nlohmann::ordered_json picture_json(const ViewAppearance& appearance, std::span<
         json["shadows"] = "off";
     else if (appearance.shadow_method == ShadowMethod::fail)
         json["shadows"] = "fail";
-    if (are_three_point(lights)) json["lighting"] = "three-point";
+    if (is_three_point) json["lighting"] = "three-point";
     if (appearance.ground) json["ground"] = true;
     std::string sides = std::to_string(size.width);
     sides.append("x").append(std::to_string(size.height));
@@ -290,7 +285,7 @@ std::string ViewSession::command(ImageSize size, const std::string& output) cons
         command += up + " ";
     }
     command += words_of(models);
-    const nlohmann::ordered_json picture = picture_json(appearance, lights, size);
+    const nlohmann::ordered_json picture = picture_json(appearance, is_three_point(), size);
     for (const auto& [key, value] : picture.items()) {
         if (value.is_boolean()) {
             const bool is_flag = key == "hidden" || key == "ground";
@@ -301,7 +296,6 @@ std::string ViewSession::command(ImageSize size, const std::string& output) cons
                    quoted_for_shell(value.is_string() ? value.get<std::string>() : value.dump());
     }
     for (const std::string& argument : arguments) command += " " + argument;
-    if (lights.empty()) command += " --shadows off";
     return command + " -o " + quoted_for_shell(output);
 }
 
@@ -316,10 +310,6 @@ void ViewSession::apply_lens() {
 }
 
 void ViewSession::add_light() {
-    if (lights.empty()) {
-        lights.push_back(default_sun(camera));
-        return;
-    }
     // Golden angle steps around the up axis: no two suns coincide.
     const Light last = as_sun(lights.back(), bounds());
     Camera sun_camera{.eye = last.vector, .target = glm::dvec3(0.0), .up = camera.up};
@@ -328,6 +318,7 @@ void ViewSession::add_light() {
 }
 
 void ViewSession::remove_light(std::size_t light) {
+    RIMLINE_CHECK(lights.size() > 1 && light < lights.size());
     lights.erase(lights.begin() + static_cast<std::ptrdiff_t>(light));
 }
 
@@ -374,6 +365,7 @@ Scene ViewSession::scene() const {
                 .crease_angle_deg = appearance.crease_angle_deg,
                 .only_clear_creases = appearance.only_clear_creases};
     scene.lights = lights;
+    if (is_three_point()) add_fill_and_rim(scene);
     ModelDocument& model = *document_.model();
     scene.instances.push_back(
         {.octree = &model.octree(),
@@ -401,7 +393,7 @@ WrittenScene ViewSession::written_scene(ImageSize size) const {
             .models = model.models(),
             .lights = scene_lights_json(rounded_lights),
             .cameras = {{"window", scene_camera_json(rounded)}},
-            .picture = picture_json(appearance, lights, size)};
+            .picture = picture_json(appearance, is_three_point(), size)};
 }
 
 }  // namespace rimline::tools

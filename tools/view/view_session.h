@@ -43,6 +43,7 @@ struct ViewAppearance {
     bool shadows = true;
     ShadowMethod shadow_method = ShadowMethod::automatic;  ///< All methods give the same picture.
     bool ground = false;
+    bool three_point = false;  ///< A sun that is alone has a fill and a rim light (three_point.h).
     double fov_y_deg = 35.0;
     bool orthographic = false;
 };
@@ -139,7 +140,12 @@ public:
 
     /// Adds a sun in a direction that no other light has.
     void add_light();
+    /// One of several.
     void remove_light(std::size_t light);
+    /// Whether scene() has a fill and a rim light.
+    bool is_three_point() const {
+        return appearance.three_point && lights.size() == 1 && lights[0].directional;
+    }
 
     /// The viewpoint or direction of the lines' silhouette, in the coordinates of the document.
     HomogeneousPoint silhouette_point() const;

@@ -274,7 +274,7 @@ TEST_CASE("a drawing can be cancelled") {
     CHECK(!drawer.draw(view, silhouette).chains.empty());
 }
 
-TEST_CASE("edges that the mesh does not have stop the program") {
+TEST_CASE("edges that the mesh does not have and lengths below 0 stop the program") {
     const Mesh mesh(make_built_in_shape("box", 12));
     const LineSurface surface(mesh);
     LineDrawer drawer(surface);
@@ -288,6 +288,8 @@ TEST_CASE("edges that the mesh does not have stop the program") {
     CHECK_FALSE(tests::stops([&] { drawer.draw(view, silhouette, options); }));
     options.shown_creases = too_few;
     CHECK(tests::stops([&] { drawer.draw(view, silhouette, options); }));
+    CHECK(tests::stops([&] { drawer.draw(view, silhouette, {.gap = -1.0}); }));
+    CHECK(tests::stops([&] { drawer.draw(view, silhouette, {.simplify = std::nan("")}); }));
 }
 
 }  // namespace

@@ -316,7 +316,7 @@ TEST_CASE("a source whose arrays do not fit together stops the program") {
     CHECK(stops_with([](MeshSource& s) { s.edge_codes.resize(s.triangles.size() - 1); }));
     CHECK(stops_with([](MeshSource& s) { s.triangles[0][1] = 4; }));
     CHECK(stops_with([](MeshSource& s) { s.positions[0].x = std::nanf(""); }));
-    CHECK(stops_with([](MeshSource& s) { s.materials.materials.resize(2); }));
+    CHECK(stops_with([](MeshSource& s) { s.materials.of_face.resize(2); }));
 }
 
 TEST_CASE("a mesh being made tells how far it is, and stops at any of its checkpoints") {

@@ -140,6 +140,7 @@ def test_animate_leaves_nothing_behind_when_it_fails():
         assert os.listdir(folder) == []
         assert "gone" in fail(1, "animate", "shape:box", "-o", os.path.join(folder, "gone", "frames"))
         for options in (["--step", "1", "--path", "random"], ["--eye", "3,2,1", "--step", "2"], ["--wave-step", "3"],
+                        ["--eye", "front", "--path", "random"], ["--azimuth", "9", "--path", "random"],
                         ["--light-step", "1", "--light-follow"], ["--deform", "melt"], ["--frames", "0"]):
             fail(2, "animate", "shape:box", "-o", output, *options)
             assert os.listdir(folder) == []

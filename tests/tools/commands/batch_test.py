@@ -126,6 +126,9 @@ def test_shards_share_the_models():
             assert len(lines) == told["models"] == told["done"]
             seen += [line["input"] for line in lines]
         assert len(seen) == len(set(seen)) == 20
+        # Shards do not overwrite each other's outputs.
+        for shard in ("1/3", "2/3", "3/3"):
+            assert "would both write" in fail(2, "batch", str(root), "-o", out, "--shard", shard, "--", "draw", "-o", "{out}/one.svg")
         # Other models do not move a model to another shard.
         (root / "a.obj").write_text(TRIANGLE)
         for shard in range(1, 4):
@@ -153,6 +156,12 @@ def test_wrong_command_lines_are_usage_errors():
         assert "none" in fail(1, "batch", root, "-o", out, "--page", f"{folder}/none/a.html", "--", "draw", "-o",
                               "{out}/{stem}.svg")
         assert not os.path.exists(f"{out}/m0.svg")
+        # The first model of a pattern is no page.
+        assert "--page: expected a name that ends in .html" in fail(2, "batch", "-o", out, "--page", f"{root}/m0.obj", root, "--", "info")
+        assert pathlib.Path(f"{root}/m0.obj").read_text() == TRIANGLE
+        for subcommand in ("render", "draw", "animate"):
+            assert f"{subcommand} needs -o" in fail(2, "batch", root, "-o", out, "--", subcommand)
+        assert fail(2, "batch", root, "-o", out, "--", "draw", "--lines", "ink", "-o", "{out}/{stem}.svg").count("--help") == 1
         assert "no subcommand" in fail(2, "batch", root, "--")
         assert "not 'bench'" in fail(2, "batch", root, "--", "bench")
         assert "not 'batch'" in fail(2, "batch", root, "--", "batch")
@@ -184,6 +193,11 @@ def test_a_dry_run_does_nothing_and_estimates():
         succeed(str(root / "more"), "-o", out, "--", "info")
         told = succeed(str(root), "-o", out, "--dry-run", "--", "info")
         assert told["models"] == 5 and told["left"] == 3 and told["estimate_s"] > 0
+        # One model at a time takes as long as it did, however many could run. Other subcommands have other times.
+        took_s = 1e-3 * sum(line["ms"] for line in entries(f"{out}/manifest.jsonl")) / 2
+        told = succeed(str(root), "-o", out, "--dry-run", "--jobs", "16", "--", "info")
+        assert abs(told["estimate_s"] - took_s) < 1e-9 * took_s + 1e-6
+        assert succeed(str(root), "-o", out, "--dry-run", "--", "draw", "-o", "{out}/{stem}.svg")["estimate_s"] is None
 
 
 def test_the_page_shows_pictures_and_failures():

@@ -443,6 +443,7 @@ def test_wrong_drawings_are_told_in_plain_words():
         assert "--lines: expected some of silhouette,border,crease,intersection, not 'edges'" in fail(2, *box, "--lines", "border,edges")
         assert "'border' is given twice" in fail(2, *box, "--lines", "border,border")
         assert "--views: expected some of front,top,right,iso,left,bottom,back, not ''" in fail(2, *box, "--views", "")
+        assert "--source: only drawings in SVG" in fail(2, "draw", "shape:box", "--source", "-o", "a.dxf")
         assert "--scale: needs an orthographic view" in fail(2, *box, "--scale", "1:1")
         assert "--scale: expected A:B, for example 1:10, not '3'" in fail(2, *box, "--ortho", "auto", "--scale", "3")
         assert "--scale: the drawing has" in fail(2, *box, "--ortho", "auto", "--scale", "1000:1")

@@ -51,6 +51,18 @@ TEST_CASE("the frame holds the model and its shadow on the ground, and nothing m
     }
 }
 
+TEST_CASE("the frame holds no shadows for who is below the ground") {
+    const Mesh mesh(make_built_in_shape("spring", 2000));
+    const glm::dvec3 up(0, 1, 0);
+    const Light light{.vector = {-1, 1, 0.3}, .directional = true};
+    const Camera below = fit_camera({.fov_y_deg = 35.0}, mesh, {1, -1, 1}, k_aspect);
+    CHECK(frame_with_shadows(below, mesh, {&light, 1}, up, k_aspect).eye == below.eye);
+    CHECK(zoom_with_shadows(below, mesh, {&light, 1}, up, k_aspect).target == below.target);
+    CHECK(tangent_for_shadows(std::vector<Shot>{{below, {light}}}, mesh, up, k_aspect) == 0.0);
+    const Camera above = fit_camera({.fov_y_deg = 35.0}, mesh, {1, 1, 1}, k_aspect);
+    CHECK(frame_with_shadows(above, mesh, {&light, 1}, up, k_aspect).eye != above.eye);
+}
+
 TEST_CASE("a given eye without a target sees the model and its shadow from there") {
     const Mesh mesh(make_built_in_shape("knot", 2000));
     const glm::dvec3 sun(-1, 1, 0.3);

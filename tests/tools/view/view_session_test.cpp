@@ -295,6 +295,11 @@ TEST_CASE(
           "320x240 "
           "--eye 3,2,4 --target 0,0.5,0 --up 0,1,0 --fov 30 --sun 1,2,0.5 --light 3,1,1 -o 'my "
           "picture.png'");
+    session.show(open("shape:knot"), {.eye = {3, 2, 4}}, {{.vector = {1, 2, 0.5}}});
+    session.document().model()->set_models(
+        std::vector<PlacedModel>{{.model = "shape:knot", .subdivide = 2}}, std::nullopt);
+    CHECK(session.command({320, 240}, "a.png")
+              .starts_with("rimline render shape:knot --subdivide 2 --style "));
 }
 
 TEST_CASE("three-point lighting is in the command and in the scene file as its sun") {
@@ -302,9 +307,20 @@ TEST_CASE("three-point lighting is in the command and in the scene file as its s
     session.show(open("shape:knot"), {.eye = {3, 2, 4}, .target = {0, 0.5, 0}, .fov_y_deg = 30},
                  {{.vector = {1, 2, 0.5}, .directional = true}});
     CHECK_FALSE(session.written_scene({320, 240}).picture.contains("lighting"));
-    Scene scene = session.scene();
-    add_fill_and_rim(scene);
-    session.lights = scene.lights;
+    session.appearance.three_point = true;
+    // Fill and rim follow the camera.
+    for (const glm::dvec3 direction : {glm::dvec3(1, 1, 1), glm::dvec3(-2, 0, 1)}) {
+        session.look_from(direction);
+        Scene expected = session.scene();
+        REQUIRE(expected.lights.size() == 3);
+        expected.lights.resize(1);
+        add_fill_and_rim(expected);
+        const Scene scene = session.scene();
+        for (std::size_t light = 0; light < 3; ++light) {
+            CHECK(scene.lights[light].vector == expected.lights[light].vector);
+            CHECK(scene.lights[light].share == expected.lights[light].share);
+        }
+    }
     const WrittenScene written = session.written_scene({320, 240});
     CHECK(written.picture["lighting"] == "three-point");
     CHECK(written.lights.size() == 1);
@@ -314,6 +330,9 @@ TEST_CASE("three-point lighting is in the command and in the scene file as its s
     // A picture with them takes no other light.
     session.add_light();
     CHECK_FALSE(session.written_scene({320, 240}).picture.contains("lighting"));
+    CHECK(session.scene().lights.size() == 2);
+    session.remove_light(1);
+    CHECK(session.is_three_point());
 }
 
 TEST_CASE("what cannot be drawn gives way to the model before it") {
@@ -345,7 +364,7 @@ TEST_CASE("up is what is chosen: the ground follows it") {
     }
 }
 
-TEST_CASE("lights that are added differ, and any can go") {
+TEST_CASE("lights that are added differ, and any but the last can go") {
     ViewSession session;
     session.show(open("shape:box"), 1.0);
     for (int i = 0; i < 5; ++i) session.add_light();
@@ -356,9 +375,8 @@ TEST_CASE("lights that are added differ, and any can go") {
     const Light second = session.lights[1];
     session.remove_light(0);
     CHECK(session.lights[0].vector == second.vector);
-    while (!session.lights.empty()) session.remove_light(session.lights.size() - 1);
-    session.add_light();
-    CHECK(session.lights.size() == 1);
+    while (session.lights.size() > 1) session.remove_light(session.lights.size() - 1);
+    CHECK(session.lights[0].vector == second.vector);
 }
 
 TEST_CASE("a scene that the window writes says what the window shows") {

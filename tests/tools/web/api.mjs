@@ -2,9 +2,9 @@
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { join } from "node:path";
+import { join, relative } from "node:path";
 import test from "node:test";
-import { pathToFileURL } from "node:url";
+import { fileURLToPath, pathToFileURL } from "node:url";
 
 const [build] = process.argv.slice(2);
 const folder = pathToFileURL(join(build, "package/"));
@@ -29,6 +29,7 @@ test("a box has the hexagon of its corner as silhouette, and the square of its s
   assert.deepEqual(ends(mesh, mesh.silhouette([4, 5, 6])), hexagon);
   assert.deepEqual(ends(mesh, mesh.silhouette({ x: 4, y: 5, z: 6 })), hexagon);
   assert.deepEqual(ends(mesh, mesh.silhouette({ direction: [4, 5, 6] })), hexagon);
+  assert.deepEqual(ends(mesh, mesh.silhouette({ length: 3, 0: 4, 1: 5, 2: 6 })), hexagon);
   assert.deepEqual(ends(mesh, mesh.silhouette([9, 0, 0])), ["1-3", "1-5", "3-7", "5-7"]);
   assert.equal(mesh.silhouette([0, 0, 0]).length, 0);
 });
@@ -93,7 +94,7 @@ test("wrong input is an error that says what is wrong", () => {
     [() => new Mesh(CORNERS, [0, 1, 1.5]), /^TypeError: indices\[2\]: .*, not 1.5$/],
     [() => new Mesh(CORNERS, [0, 1, -1]), /^TypeError: indices\[2\]: .*, not -1$/],
     [() => new Mesh(CORNERS, [0, 1, 2, 0, 1, 8]), /^Error: indices: triangle 1 has vertex 8 of 8$/],
-    [() => new Mesh(CORNERS, new Int8Array([0, 1, -1])), /^Error: indices: triangle 0 has vertex 4294967295 of 8$/],
+    [() => new Mesh(CORNERS, new Int8Array([0, 1, -1])), /^TypeError: indices\[2\]: .*, not -1$/],
     [() => new Mesh(CORNERS.map((c) => c * 2 ** -60), TRIANGLES), /^Error: the mesh is too small/],
     [() => mesh.silhouette(), /^TypeError: eye: expected three numbers, or x, y and z$/],
     [() => mesh.silhouette([1, 2]), /^RangeError: eye: expected three numbers, not 2$/],
@@ -162,6 +163,23 @@ test("what nobody holds is freed", async () => {
   assert.ok(memory() < first + 40e6, `${first} bytes became ${memory()}`);
 });
 
+test("arrays of a tracker that nobody holds stay whole", async () => {
+  const rimline = await createRimline();
+  const mesh = new rimline.Mesh(CORNERS, TRIANGLES);
+  const views = [];
+  for (let i = 0; i < 200; ++i) {
+    const tracker = new rimline.Tracker(mesh, [9, 0, 0]);
+    views.push(tracker.moveTo([4, 5, 6]).added, tracker.silhouette);
+  }
+  const copies = views.map((view) => view.slice());
+  for (let round = 0; round < 5; ++round) {
+    globalThis.gc();
+    await new Promise((resolve) => setTimeout(resolve));
+  }
+  for (let i = 0; i < 50; ++i) new rimline.Tracker(mesh, [-9, 1, 0]); // They would take freed memory.
+  assert.deepEqual(views, copies);
+});
+
 test("random arguments never end in a trap", () => {
   let seed = 7;
   const random = (count) => (seed = (seed * 48271) % 2147483647) % count;
@@ -190,7 +208,8 @@ test("random arguments never end in a trap", () => {
 
 test("the module is taken as bytes, compiled, or from its place, and one that is missing is an error", async () => {
   const bytes = readFileSync(new URL("rimline.wasm", folder));
-  for (const wasm of [bytes, await WebAssembly.compile(bytes), new URL("rimline.wasm", folder), new URL("rimline.wasm", folder).href]) {
+  for (const wasm of [bytes, await WebAssembly.compile(bytes), new URL("rimline.wasm", folder), new URL("rimline.wasm", folder).href,
+    relative(process.cwd(), fileURLToPath(new URL("rimline.wasm", folder))), fileURLToPath(new URL("rimline.wasm", folder))]) {
     const rimline = await createRimline({ wasm });
     assert.equal(new rimline.Mesh(CORNERS, TRIANGLES).edgeCount, 18);
   }

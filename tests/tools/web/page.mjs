@@ -27,6 +27,10 @@ const FILES = {
     "element tristrips 1", "property list int int vertex_indices", "end_header", "0 0 0", "1 0 0", "0 1 0", "3 0 1 2"],
   "text.txt": ["v 0 0 0"],
   "broken.glb": ["glTF, but not really"],
+  "text.glb": ["not a GLB"],
+  "text.ply": ["not a PLY"],
+  "nan.obj": ["v 0 0 0", "v nan 0 0", "v 0 1 0", "f 1 2 3"],
+  "empty.obj": ["v 0 0 0"],
 };
 for (const [name, lines] of Object.entries(FILES)) writeFileSync(join(made, name), `${lines.join("\n")}\n`);
 execFileSync(program, ["convert", "shape:knot:20000", "-o", join(made, "knot.glb")]);
@@ -92,10 +96,20 @@ await withBrowser({ build, made, tests: fileURLToPath(new URL(".", import.meta.u
   });
 
   await test("a file that cannot be shown is an error on the page", async () => {
-    for (const [name, message] of [["text.txt", "expected a name that ends in"], ["strips.ply", "no triangles here"], ["broken.glb", ""]]) {
+    const before = await browser.evaluate(`document.getElementById("name").textContent`);
+    const faces = await numberOf("faces");
+    for (const [name, message] of [["text.txt", "expected a name that ends in"], ["strips.ply", "no triangles here but strips"], ["broken.glb", ""],
+      ["text.glb", "not a GLB file"], ["nan.obj", "finite"], ["empty.obj", "no triangles here"], ["text.ply", ""]]) {
       await drop(`/made/${name}`);
       await until(`!document.getElementById("error").hidden && document.getElementById("error").textContent.includes("${name}")`);
-      assert.ok((await browser.evaluate(`document.getElementById("error").textContent`)).includes(message));
+      const said = await browser.evaluate(`document.getElementById("error").textContent`);
+      assert.ok(said.includes(message), said);
+      // The model before it stays, and is drawn.
+      assert.equal(await browser.evaluate(`document.getElementById("name").textContent`), before);
+      await setTimeout(300);
+      assert.equal(await numberOf("faces"), faces);
+      assert.ok((await numberOf("silhouette")) > 0);
+      assert.deepEqual(browser.problems, [], name);
     }
   });
 

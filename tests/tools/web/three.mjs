@@ -89,6 +89,36 @@ for (const Lines of [SilhouetteLines, WideSilhouetteLines]) {
     }
   });
 
+  test(`clones of ${Lines.name} and of what holds them are lines of their own`, () => {
+    const geometry = knot();
+    const mesh = meshOf(rimline, geometry);
+    const model = new THREE.Mesh(geometry).add(new Lines(rimline, geometry));
+    const [lines] = model.children;
+    lines.name = "ink";
+    lines.update(perspective(5, 0, 0));
+    const [clone] = model.clone().children;
+    assert.deepEqual([clone.constructor, clone.name, clone.material, clone.lineCount], [Lines, "ink", lines.material, 0]);
+    assert.notEqual(clone.geometry, lines.geometry);
+    const camera = perspective(0, 5, 1);
+    clone.update(camera);
+    assert.deepEqual(new Copy(clone).render(), expected(geometry, mesh, camera.position, clone));
+    lines.dispose();
+    clone.update(perspective(1, 2, 3));
+    clone.dispose();
+  });
+
+  test(`${Lines.name} dispose of the material that they made, and of no other`, () => {
+    const disposals = (lines) => {
+      let count = 0;
+      lines.material.addEventListener("dispose", () => ++count);
+      lines.dispose();
+      return count;
+    };
+    const made = new Lines(rimline, knot());
+    assert.equal(disposals(new Lines(rimline, knot(), { material: made.material })), 0);
+    assert.equal(disposals(made), 1);
+  });
+
   test(`${Lines.name} follow an orthographic camera, whose place does not matter`, () => {
     const geometry = knot();
     const lines = new Lines(rimline, geometry);

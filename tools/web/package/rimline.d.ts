@@ -84,7 +84,8 @@ export interface Rimline {
 /**
  * Loads `rimline.wasm`. Objects of different calls do not know each other.
  *
- * @param options `wasm`: where the module is, its bytes, or the module; by default the file beside this one
+ * @param options `wasm`: where the module is (relative to the page, in Node to the working folder), its bytes, or the
+ *   module; by default the file beside this one
  */
 export function createRimline(options?: {
   wasm?: URL | string | ArrayBuffer | ArrayBufferView | WebAssembly.Module;

@@ -28,7 +28,7 @@ export async function createRimline({ wasm = new URL("./rimline.wasm", import.me
 
 async function compile(wasm) {
   if (wasm instanceof ArrayBuffer || ArrayBuffer.isView(wasm)) return WebAssembly.compile(wasm);
-  const url = new URL(wasm, globalThis.location?.href);
+  const url = await urlOf(wasm);
   if (url.protocol === "file:") {
     const { readFile } = await import(/* webpackIgnore: true */ /* @vite-ignore */ "node:fs/promises");
     return WebAssembly.compile(await readFile(url));
@@ -36,6 +36,14 @@ async function compile(wasm) {
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${url}: ${response.status} ${response.statusText}`);
   return WebAssembly.compile(await response.arrayBuffer());
+}
+
+// Relative to the page, or without one to the working folder.
+async function urlOf(wasm) {
+  if (wasm instanceof URL) return wasm;
+  if (globalThis.location !== undefined) return new URL(wasm, globalThis.location.href);
+  const { pathToFileURL } = await import(/* webpackIgnore: true */ /* @vite-ignore */ "node:url");
+  return new URL(wasm, pathToFileURL(`${globalThis.process.cwd()}/`));
 }
 
 // The classes of one instance of the module.
@@ -46,6 +54,7 @@ function makeClasses(wasm) {
 
   // Objects of the module that are not disposed of are freed some time after nobody can reach them.
   const registry = new FinalizationRegistry(({ free, pointer }) => free(pointer));
+  const owners = new WeakMap(); // Views of a tracker's memory keep it alive.
 
   class Handle {
     #pointer;
@@ -200,7 +209,9 @@ function makeClasses(wasm) {
         const pointer = tracker.#handle.pointer;
         if (moves !== tracker.#moves) throw new Error("this change ended when its tracker moved again");
         const [data, count] = numbers(Uint32Array, wasm.tracker_state(pointer) + 8 * place, 2);
-        return numbers(Uint32Array, data, count);
+        const view = numbers(Uint32Array, data, count);
+        owners.set(view, tracker);
+        return view;
       };
     }
   }
@@ -210,18 +221,20 @@ function makeClasses(wasm) {
 
 const FLOATS = {
   types: [Float32Array, Float64Array],
+  checkedTypes: [],
   words: "a Float32Array, a Float64Array or an array of numbers",
   isValid: (value) => typeof value === "number", // The module finds those that are not finite.
 };
 const INTEGERS = {
-  types: [Uint32Array, Uint16Array, Uint8Array, Int32Array, Int16Array, Int8Array],
+  types: [Uint32Array, Uint16Array, Uint8Array],
+  checkedTypes: [Int32Array, Int16Array, Int8Array],
   words: "an array of the numbers of vertices",
   isValid: (value) => Number.isInteger(value) && value >= 0 && value <= 0xffffffff,
 };
 
-function numbersOf(name, values, { types, words, isValid }) {
+function numbersOf(name, values, { types, checkedTypes, words, isValid }) {
   if (types.some((Type) => values instanceof Type)) return values;
-  if (!Array.isArray(values)) throw new TypeError(`${name}: expected ${words}`);
+  if (!Array.isArray(values) && !checkedTypes.some((Type) => values instanceof Type)) throw new TypeError(`${name}: expected ${words}`);
   for (let i = 0; i < values.length; ++i)
     if (!isValid(values[i])) throw new TypeError(`${name}[${i}]: expected ${words}, not ${values[i]}`);
   return values;
@@ -242,9 +255,9 @@ function pointOf(point) {
 }
 
 function vectorOf(name, value) {
-  const isList = Array.isArray(value) || ArrayBuffer.isView(value);
-  const vector = isList ? value : [value?.x, value?.y, value?.z];
-  if (vector.length !== 3) throw new RangeError(`${name}: expected three numbers, not ${vector.length}`);
+  const isList = typeof value?.length === "number";
+  if (isList && value.length !== 3) throw new RangeError(`${name}: expected three numbers, not ${value.length}`);
+  const vector = isList ? [value[0], value[1], value[2]] : [value?.x, value?.y, value?.z];
   for (const component of vector) {
     if (typeof component !== "number") throw new TypeError(`${name}: expected three numbers, or x, y and z`);
     if (!(Math.abs(component) <= MAX_COORDINATE))

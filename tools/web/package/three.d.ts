@@ -35,6 +35,9 @@ export class SilhouetteLines extends LineSegments<BufferGeometry> {
    */
   update(camera: Camera): void;
 
+  /** Other lines of the same geometry, without an update yet. They share the material, and the mesh if it was given. */
+  clone(recursive?: boolean): this;
+
   /** Frees the geometry and what Rimline holds for it. A material and a mesh that were given are the caller's. */
   dispose(): void;
 }

@@ -6,7 +6,12 @@
 // Lines have places: those of the borders first, then the slots of the tracker. All places up to `lineCount` are in
 // use, so the draw range is the silhouette exactly.
 
-import { BufferAttribute, BufferGeometry, DynamicDrawUsage, LineBasicMaterial, LineSegments, Matrix4, Vector3 } from "three";
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage, LineBasicMaterial, LineSegments, Matrix4, Object3D, Vector3 } from "three";
+
+/** What clone() of objects that draw lines returns: other lines of the same geometry. */
+export function clonedLines(lines, made, recursive) {
+  return Object3D.prototype.copy.call(made, lines, recursive);
+}
 
 /** The lines of a mesh for the camera that they were updated for. Objects that draw lines own one. */
 export class FollowedLines {
@@ -71,15 +76,19 @@ export class FollowedLines {
 /** Lines one pixel wide, as WebGL has them, whose only numbers are pairs of vertices. */
 export class SilhouetteLines extends LineSegments {
   #lines;
+  #source;
+  #ownMaterial = null;
 
-  constructor(rimline, geometry, { material = new LineBasicMaterial({ color: 0x000000 }), ...options } = {}) {
+  constructor(rimline, geometry, { material, ...options } = {}) {
     const lines = new FollowedLines(rimline, geometry, options);
     const index = new BufferAttribute(new Uint32Array(2 * lines.capacity), 1).setUsage(DynamicDrawUsage);
     const drawn = new BufferGeometry().setAttribute("position", geometry.getAttribute("position")).setIndex(index);
     drawn.boundingBox = geometry.boundingBox;
     drawn.boundingSphere = geometry.boundingSphere;
     drawn.setDrawRange(0, 0);
-    super(drawn, material);
+    super(drawn, material ?? new LineBasicMaterial({ color: 0x000000 }));
+    if (material === undefined) this.#ownMaterial = this.material;
+    this.#source = { rimline, geometry, options };
     this.#lines = lines;
   }
 
@@ -102,9 +111,15 @@ export class SilhouetteLines extends LineSegments {
     this.geometry.setDrawRange(0, 2 * this.lineCount);
   }
 
+  clone(recursive) {
+    const { rimline, geometry, options } = this.#source;
+    return clonedLines(this, new this.constructor(rimline, geometry, { ...options, material: this.material }), recursive);
+  }
+
   dispose() {
     this.#lines.dispose();
     this.geometry.dispose();
+    this.#ownMaterial?.dispose();
   }
 }
 

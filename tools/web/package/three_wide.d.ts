@@ -10,5 +10,6 @@ export class WideSilhouetteLines extends LineSegments2 {
   readonly lineCount: number;
   readonly writtenCount: number;
   update(camera: Camera): void;
+  clone(recursive?: boolean): this;
   dispose(): void;
 }

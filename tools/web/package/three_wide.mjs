@@ -4,15 +4,17 @@ import { DynamicDrawUsage, InstancedInterleavedBuffer, InterleavedBufferAttribut
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
-import { FollowedLines } from "./three.mjs";
+import { FollowedLines, clonedLines } from "./three.mjs";
 
 /** Lines as wide as their material says. They take three times the memory of SilhouetteLines. */
 export class WideSilhouetteLines extends LineSegments2 {
   #lines;
   #position;
   #ends;
+  #source;
+  #ownMaterial = null;
 
-  constructor(rimline, geometry, { material = new LineMaterial({ color: 0x000000, linewidth: 2 }), ...options } = {}) {
+  constructor(rimline, geometry, { material, ...options } = {}) {
     const lines = new FollowedLines(rimline, geometry, options);
     const ends = new InstancedInterleavedBuffer(new Float32Array(6 * lines.capacity), 6).setUsage(DynamicDrawUsage);
     const drawn = new LineSegmentsGeometry();
@@ -21,7 +23,9 @@ export class WideSilhouetteLines extends LineSegments2 {
     drawn.boundingBox = geometry.boundingBox;
     drawn.boundingSphere = geometry.boundingSphere;
     drawn.instanceCount = 0;
-    super(drawn, material);
+    super(drawn, material ?? new LineMaterial({ color: 0x000000, linewidth: 2 }));
+    if (material === undefined) this.#ownMaterial = this.material;
+    this.#source = { rimline, geometry, options };
     this.#lines = lines;
     this.#position = geometry.getAttribute("position");
     this.#ends = ends;
@@ -51,8 +55,14 @@ export class WideSilhouetteLines extends LineSegments2 {
     this.geometry.instanceCount = this.lineCount;
   }
 
+  clone(recursive) {
+    const { rimline, geometry, options } = this.#source;
+    return clonedLines(this, new this.constructor(rimline, geometry, { ...options, material: this.material }), recursive);
+  }
+
   dispose() {
     this.#lines.dispose();
     this.geometry.dispose();
+    this.#ownMaterial?.dispose();
   }
 }

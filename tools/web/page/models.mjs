@@ -7,7 +7,10 @@ import { PLYLoader } from "three/addons/loaders/PLYLoader.js";
 import { STLLoader } from "three/addons/loaders/STLLoader.js";
 
 const READERS = {
-  glb: async (bytes) => (await new GLTFLoader().parseAsync(bytes, "")).scene,
+  glb: async (bytes) => {
+    if (new TextDecoder().decode(bytes.slice(0, 4)) !== "glTF") throw new Error("not a GLB file");
+    return (await new GLTFLoader().parseAsync(bytes, "")).scene;
+  },
   obj: (bytes) => new OBJLoader().parse(new TextDecoder().decode(bytes)),
   ply: (bytes) => new THREE.Mesh(new PLYLoader().parse(bytes)),
   stl: (bytes) => new THREE.Mesh(new STLLoader().parse(bytes)),
@@ -24,7 +27,8 @@ export const SHAPES = {
 export async function readModel(file) {
   const reader = READERS[file.name.toLowerCase().split(".").pop()];
   if (reader === undefined) throw new Error(`${file.name}: expected a name that ends in .obj, .ply, .stl or .glb`);
-  const root = await reader(await file.arrayBuffer());
+  const bytes = await file.arrayBuffer();
+  const root = await reader(bytes);
   root.updateMatrixWorld(true);
   const parts = [];
   root.traverse(({ isMesh, geometry, matrixWorld }) => {
@@ -32,7 +36,8 @@ export async function readModel(file) {
     const isSet = isMesh && geometry.index === null && READERS.ply === reader;
     if (isMesh && !isSet) parts.push({ geometry, matrix: matrixWorld });
   });
-  if (parts.length === 0) throw new Error(`${file.name}: no triangles here (of triangle strips, "rimline convert" makes some)`);
+  const hasStrips = () => READERS.ply === reader && /^element tristrips/m.test(new TextDecoder().decode(bytes.slice(0, 4096)));
+  if (parts.length === 0) throw new Error(`no triangles here${hasStrips() ? ' but strips: "rimline convert" makes triangles of them' : ""}`);
   return parts;
 }
 

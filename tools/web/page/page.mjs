@@ -34,11 +34,23 @@ const flat = new THREE.MeshLambertMaterial({ ...surface, flatShading: true });
 const ink = new LineMaterial({ color: 0x211d19 });
 
 let model = new THREE.Group();
+let shown = ""; // Its name.
 let parts = []; // { geometry, mesh, surface, lines }
 let radius = 1;
 let moves = { count: 0, time_ms: 0 }; // Since the counts were shown.
 
+/** Replaces the model that is shown. Throws what meshOf() does, and an Error if there are no faces: then the old one stays. */
 function show(name, loaded) {
+  const begin = performance.now();
+  const made = [];
+  try {
+    for (const part of loaded) made.push({ ...part, mesh: meshOf(rimline, part.geometry) });
+    if (!made.some(({ mesh }) => mesh.faceCount > 0)) throw new Error("no triangles here");
+  } catch (error) {
+    for (const { mesh } of made) mesh.dispose();
+    for (const { geometry } of loaded) geometry.dispose();
+    throw error;
+  }
   for (const part of parts) {
     part.lines.dispose();
     part.mesh.dispose();
@@ -47,15 +59,14 @@ function show(name, loaded) {
   scene.remove(model);
   model = new THREE.Group();
   scene.add(model);
-  const begin = performance.now();
-  parts = loaded.map(({ geometry, matrix }) => {
-    const mesh = meshOf(rimline, geometry);
+  parts = made.map(({ geometry, matrix, mesh }) => {
     const surface = new THREE.Mesh(geometry, geometry.getAttribute("normal") ? smooth : flat);
     surface.matrixAutoUpdate = false;
     surface.matrix.copy(matrix);
     model.add(surface);
     return { geometry, mesh, surface };
   });
+  shown = name;
   element("name").textContent = name;
   element("faces").textContent = count(sum((part) => part.mesh.faceCount));
   element("edges").textContent = count(sum((part) => part.mesh.edgeCount));
@@ -143,7 +154,7 @@ async function openFile(file) {
     show(file.name, await readModel(file));
     element("shape").selectedIndex = -1;
   } catch (error) {
-    element("name").textContent = "";
+    element("name").textContent = shown;
     element("error").textContent = error.message.startsWith(file.name) ? error.message : `${file.name}: ${error.message}`;
     element("error").hidden = false;
   }
