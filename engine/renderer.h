@@ -101,7 +101,8 @@ public:
     ///     RendererOptions::frames_in_flight before;
     ///   - destroys the renderer only when the GPU is done.
     /// Each frame leaves a mark (frame_marks.h); a frame that is not done when it should be stops the
-    /// program, as one that is not prepared does, a null handle, and a backdrop whose format has no depth. Changes the bound pipeline, descriptor sets, push constants
+    /// program, as one that is not prepared does, a null handle, and a backdrop whose format has no depth.
+    /// Changes the bound pipeline, descriptor sets, push constants
     /// and dynamic state. Throws as render(); `commands` may then hold a part of the frame, and must not be
     /// submitted.
     FrameReport record(VkCommandBuffer commands, const Scene& scene, const PictureTarget& target);

@@ -23,7 +23,8 @@ enum class OutlineMethod : std::uint8_t {
 struct Outline {
     OutlineMethod method = OutlineMethod::lines;
     /// Of OutlineMethod::sobel: the least step of depth, beyond the slope of the surface, as a share of the height
-    /// that the picture shows at this distance, not negative; and the least bend between normals, in degrees from 0 to 180, where
+    /// that the picture shows at this distance, not negative; and the least bend between
+    /// normals, in degrees from 0 to 180, where
     /// none is found. Chosen on the Stanford bunny (`rimline bench engine --image-space`).
     float depth_step = 0.004f;
     float normal_step_deg = 40.0f;

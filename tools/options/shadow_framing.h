@@ -27,7 +27,8 @@ std::vector<glm::vec3> shadow_places(const Mesh& mesh, std::span<const glm::vec3
 double fade_of_ground(const Mesh& mesh, std::span<const Light> lights, const glm::dvec3& ground_up);
 
 /// The perspective camera, with its direction and lens, at a place where the picture holds the mesh and its
-/// shadow_places(). Rounded to float (view_camera.h). O(vertices) for each sun.
+/// shadow_places(). Unchanged below the ground, which is seen from above only. Rounded to float (view_camera.h).
+/// O(vertices) for each sun.
 Camera frame_with_shadows(const Camera& camera, const Mesh& mesh, std::span<const Light> lights,
                           const glm::dvec3& ground_up, double aspect);
 
@@ -36,8 +37,8 @@ Camera frame_with_shadows(const Camera& camera, const Mesh& mesh, std::span<cons
 void frame_ground(Scene& scene, const Mesh& mesh, const PictureOptions& options);
 
 /// The perspective camera, at its place, turned and with a lens such that the picture holds the mesh and its
-/// shadow_places(), but for those that it sees at more than 60 degrees. Unchanged if the mesh itself reaches
-/// beside or behind the eye. Rounded to float. O(vertices) for each sun.
+/// shadow_places(), but for those that it sees at more than 60 degrees. Unchanged below the ground, and if the mesh itself
+/// reaches beside or behind the eye. Rounded to float. O(vertices) for each sun.
 Camera zoom_with_shadows(const Camera& camera, const Mesh& mesh, std::span<const Light> lights,
                          const glm::dvec3& ground_up, double aspect);
 
