@@ -60,7 +60,8 @@ struct SceneInstance {
     Material material;
     /// False: its color is not drawn, because another renderer has drawn it, or nobody does. It hides what lies
     /// behind it all the same, and shadows on it are drawn: black, with the part of the light that they take as
-    /// opacity (the mean of 1 - Palette::shade). A picture with such an instance has no grid.
+    /// opacity (the mean of 1 - Palette::shade); in Style::hatch as strokes. A picture with such an instance has
+    /// no grid.
     bool has_surfaces = true;
     bool has_lines = true;
     /// Lines to draw instead of its silhouette, borders and creases (picture_lines.h). Nothing hides them: where

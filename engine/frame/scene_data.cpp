@@ -113,8 +113,9 @@ FrameSurfaces frame_surfaces(const Scene& scene, const PictureTarget& target,
 SurfaceKind surface_kind(const Scene& scene, const FrameSurfaces& surfaces,
                          const SceneInstance& instance) {
     SurfaceKind kind{.fades = instance.fade_radius > 0.0, .lights = surfaces.lights};
-    if (instance.has_surfaces) {
+    if (instance.has_surfaces || scene.style == Style::hatch)
         kind.style = static_cast<std::uint32_t>(scene.style);
+    if (instance.has_surfaces) {
         kind.colors = surface_colors(scene, instance);
         kind.output = surfaces.is_layer ? SurfaceOutput::layer : SurfaceOutput::picture;
     } else {

@@ -106,10 +106,11 @@ public:
             ->type_name("FILE")
             ->capture_default_str()
             ->group("Output");
-        app.add_option("--as", standard_format_, "Format of a drawing that goes to standard output")
-            ->check(CLI::IsMember({"svg", "pdf", "dxf", "json"}))
-            ->capture_default_str()
-            ->group("Output");
+        as_option_ = app.add_option("--as", standard_format_,
+                                    "Format of a drawing that goes to standard output")
+                         ->check(CLI::IsMember({"svg", "pdf", "dxf", "json"}))
+                         ->capture_default_str()
+                         ->group("Output");
         app.add_flag("--source", has_sources_,
                      "SVG: say of each path which chains (data-chain) and edges (data-edges) it is "
                      "made of; edges are pairs of vertex numbers of the file")
@@ -138,6 +139,8 @@ public:
         check_options();
         const double aspect = page_.aspect();  // Reports margins without space before the work.
         check_output(context, output_);
+        if (as_option_->count() > 0 && output_ != k_standard_output)
+            throw UsageError("--as: needs -o -, which is standard output");
         const std::optional<DrawingFormat> named =
             drawing_format_of(output_ == k_standard_output ? "." + standard_format_ : output_);
         if (!named)
@@ -199,16 +202,12 @@ private:
                 "--eye, --azimuth, --elevation, --target, --fov and a height of --ortho out");
         if (page_.mm_per_unit && !is_sheet && !camera_.is_orthographic)
             throw UsageError("--scale: needs an orthographic view: --ortho auto, or --views");
-        if (lines_.hidden_by > 0 && !lines_.draws_hidden())
-            throw UsageError("--hidden-by: needs --hidden dashed or --hidden layer");
     }
 
     void check_format(DrawingFormat format) const {
         if (has_sources_ && format != DrawingFormat::svg)
             throw UsageError("--source: only drawings in SVG name edges");
-        if (has_curves(format)) return;
-        if (lines_.color || lines_.has_material_colors)
-            throw UsageError("--line-color: only drawings in SVG and PDF have colors");
+        lines_.check_usage(has_curves(format));
     }
 
     static bool has_curves(DrawingFormat format) {
@@ -299,6 +298,7 @@ private:
             PageLineOptions page_options{
                 .min_length_mm = lines_.min_length_mm.value_or(DrawnLines::k_min_hidden_mm),
                 .simplify_mm = has_edges || materials ? lines_.simplify_mm : 0.0,
+                .double_mm = lines_.double_mm(),
                 .curve_mm = has_curves(format) ? lines_.curve_mm : 0.0,
                 .frame = {},
                 .mesh = has_edges ? &mesh : nullptr,
@@ -419,7 +419,7 @@ private:
     bool verifies_ = false;
     LineCameraOptions camera_;
     std::vector<SheetView> views_;
-    const CLI::Option* views_option_ = nullptr;
+    const CLI::Option *as_option_ = nullptr, *views_option_ = nullptr;
     LinePage page_;
     DrawnLines lines_;
 };

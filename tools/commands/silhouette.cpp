@@ -135,10 +135,11 @@ public:
                    "Write the lines with their faces: FILE.obj, .ply or .svg; - is standard output")
                 ->type_name("FILE")
                 ->group("Output");
-        app.add_option("--as", standard_format_, "Format of lines that go to standard output")
-            ->check(CLI::IsMember({"obj", "ply", "svg"}))
-            ->capture_default_str()
-            ->group("Output");
+        as_option_ =
+            app.add_option("--as", standard_format_, "Format of lines that go to standard output")
+                ->check(CLI::IsMember({"obj", "ply", "svg"}))
+                ->capture_default_str()
+                ->group("Output");
         app.add_flag("--borders", with_borders_, "With -o, write border edges too, marked as such")
             ->group("Output");
         app.add_flag("--no-concave", without_concave_,
@@ -164,6 +165,8 @@ public:
     ExitStatus run(const Context& context) override {
         const HomogeneousPoint point = point_from_options();
         check_method_options();
+        if (as_option_->count() > 0 && output_ != k_standard_output)
+            throw UsageError("--as: needs -o -, which is standard output");
         if (with_borders_ && output_option_->count() == 0)
             throw UsageError(
                 "--borders: needs -o; the JSON has the number of border edges, not the edges");
@@ -309,7 +312,7 @@ private:
     std::uint32_t seed_ = 1;
     const CLI::Option* seed_option_ = nullptr;
     std::string output_, standard_format_ = "svg";
-    const CLI::Option* output_option_ = nullptr;
+    const CLI::Option *output_option_ = nullptr, *as_option_ = nullptr;
     bool with_borders_ = false;
     bool without_concave_ = false;
     bool without_edges_ = false;

@@ -4,6 +4,7 @@
 #include <glm/trigonometric.hpp>
 #include <vector>
 
+#include "tools/command.h"
 #include "tools/options/line_kind_names.h"
 #include "tools/options/name_list.h"
 
@@ -24,8 +25,10 @@ void DrawnLines::add_to(CLI::App& app) {
         "Draw all edges that bend by at least this angle in degrees as creases (default: those "
         "that bend by 30 and stand out)")
         ->group(k_group);
-    app.add_option("--hidden", hidden,
-                   "Hidden lines: none, dashed, or in a layer of their own, as solid gray lines")
+    app.add_option(
+           "--hidden", hidden,
+           "Hidden lines: none, dashed, or in a layer of their own, as solid gray lines. Of "
+           "those that run beside others within --gap, one is drawn")
         ->check(CLI::IsMember({"none", "dashed", "layer"}))
         ->capture_default_str()
         ->group(k_group);
@@ -53,20 +56,34 @@ void DrawnLines::add_to(CLI::App& app) {
     add_number(app, "--simplify", simplify_mm, 0.0, 100.0,
                "Leave out points where the line moves by at most this")
         ->group(k_group);
-    add_number(
-        app, "--curve", curve_mm, 0.0, 100.0,
-        "SVG, PDF: fit Bézier curves that leave the line by at most this; 0: straight pieces")
-        ->group(k_group);
+    curve_option =
+        add_number(
+            app, "--curve", curve_mm, 0.0, 100.0,
+            "SVG, PDF: fit Bézier curves that leave the line by at most this; 0: straight pieces")
+            ->group(k_group);
     add_number(app, "--width", width_mm, 0.001, 100.0, "Width of visible lines")->group(k_group);
-    add_number(app, "--hidden-width", hidden_width_mm, 0.001, 100.0, "Width of hidden lines")
-        ->group(k_group);
+    hidden_width_option =
+        add_number(app, "--hidden-width", hidden_width_mm, 0.001, 100.0, "Width of hidden lines")
+            ->group(k_group);
     add_color_or(app, "--line-color", color, "material", has_material_colors,
                  "SVG, PDF: color of lines (default: black). material: a dark shade of the colors "
                  "of the model's file")
         ->group(k_group);
     app.add_flag("--keep-coincident", keeps_coincident,
-                 "Draw all of several lines that coincide in the picture, not one")
+                 "Draw all of several lines that coincide in the picture, not one, and all hidden "
+                 "lines within --gap of others")
         ->group(k_group);
+}
+
+void DrawnLines::check_usage(bool has_curves) const {
+    if (!draws_hidden() && hidden_by > 0)
+        throw UsageError("--hidden-by: needs --hidden dashed or --hidden layer");
+    if (!draws_hidden() && hidden_width_option->count() > 0)
+        throw UsageError("--hidden-width: needs --hidden dashed or --hidden layer");
+    if (!has_curves && curve_option->count() > 0)
+        throw UsageError("--curve: only drawings in SVG and PDF have curves");
+    if (!has_curves && (color || has_material_colors))
+        throw UsageError("--line-color: only drawings in SVG and PDF have colors");
 }
 
 LineOptions DrawnLines::line_options(double mm_per_unit, double side_mm) const {

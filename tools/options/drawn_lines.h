@@ -37,7 +37,14 @@ struct DrawnLines {
     std::optional<Color> color;        ///< Not set: black.
     bool has_material_colors = false;  ///< Shades of the materials of faces.
 
+    const CLI::Option *curve_option = nullptr,
+                      *hidden_width_option = nullptr;  ///< Set by add_to().
+
     void add_to(CLI::App& app);
+    /// Throws UsageError for options without an effect. `has_curves`: of the format of the drawing.
+    void check_usage(bool has_curves) const;
+    /// PageLineOptions::double_mm.
+    double double_mm() const { return keeps_coincident ? 0.0 : gap_mm; }
     bool draws_hidden() const { return hidden != "none"; }
     /// `mm_per_unit` of picture coordinates, and the longer side of the drawing.
     LineOptions line_options(double mm_per_unit,

@@ -87,10 +87,10 @@ MeshSource read_model(const std::string& model, const std::string& format,
 
 }  // namespace
 
-std::string model_description() {
-    return "File (OBJ, PLY, STL, OFF, glTF, GLB), - for standard input, or shape:NAME[:FACES] with "
-           "NAME one of " +
-           shape_names();
+std::string model_description(StandardInput input) {
+    return std::string("File (OBJ, PLY, STL, OFF, glTF, GLB), ") +
+           (input == StandardInput::read ? "- for standard input, " : "") +
+           "or shape:NAME[:FACES] with NAME one of " + shape_names();
 }
 
 bool is_built_in_shape(const std::string& model) { return model.starts_with(k_shape_prefix); }

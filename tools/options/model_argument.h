@@ -15,8 +15,11 @@
 
 namespace rimline::tools {
 
+/// Whether MODEL may be `-`.
+enum class StandardInput { read, not_read };
+
 /// The help text of MODEL.
-std::string model_description();
+std::string model_description(StandardInput input = StandardInput::read);
 
 /// Whether `model` begins with "shape:".
 bool is_built_in_shape(const std::string& model);

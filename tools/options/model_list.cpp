@@ -109,7 +109,7 @@ ChosenUp up_of(const PlacedModel& model, const MeshSource& source,
     });
 }
 
-void ModelList::add_to(CLI::App& app) {
+void ModelList::add_to(CLI::App& app, StandardInput input) {
     app_ = &app;
     constexpr const char* k_group = "Model";
     model_option_ =
@@ -119,7 +119,7 @@ void ModelList::add_to(CLI::App& app) {
                    for (const std::string& text : texts) check_model_name(text);
                    arguments_ = texts;
                },
-               model_description() + "; several make a scene. Or one scene file, FILE.json")
+               model_description(input) + "; several make a scene. Or one scene file, FILE.json")
             ->type_name("");
     const auto add = [&](const char* name, const char* type, const char* description) {
         app.add_option_function<std::vector<std::string>>(
@@ -143,7 +143,7 @@ void ModelList::add_to(CLI::App& app) {
     add("--paint", "COLOR",
         "Color of the MODEL before it, instead of those of its file, in ink, toon and hatch");
     add_subdivide(app, subdivide_)->group(k_group);
-    add_input_format(app, format_);
+    if (input == StandardInput::read) add_input_format(app, format_);
 }
 
 void ModelList::add_to_camera(CLI::App& app) {

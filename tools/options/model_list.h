@@ -32,9 +32,9 @@ std::string words_of(std::span<const PlacedModel> models);
 
 class ModelList {
 public:
-    /// Adds MODEL, --subdivide, --format, and --at, --turn, --scale and --paint, which belong to the MODEL
-    /// before them.
-    void add_to(CLI::App& app);
+    /// Adds MODEL, --subdivide, and --at, --turn, --scale and --paint, which belong to the MODEL before them; and
+    /// --format, if standard input is read.
+    void add_to(CLI::App& app, StandardInput input = StandardInput::read);
     /// Lets --up, which `app` must have, occur once for each MODEL. Adds --camera, of a scene file.
     void add_to_camera(CLI::App& app);
 

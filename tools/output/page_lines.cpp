@@ -7,12 +7,11 @@
 #include <span>
 
 #include "silhouette/lines/line_simplify.h"
+#include "tools/output/hidden_doubles.h"
 
 namespace rimline::tools {
 
 namespace {
-
-glm::dvec2 rounded_to_um(const glm::dvec2& mm) { return glm::round(mm * 1e3) / 1e3; }
 
 // The part of the segment in the rectangle, as shares of it (Liang, Barsky, 1984). Empty if first >= last.
 struct SegmentPart {
@@ -223,8 +222,6 @@ private:
         const bool is_short =
             is_hidden_ && !is_divided_ && line.length_mm() < options_.min_length_mm;
         if (line.points.size() < 2 || is_short) return;
-        if (options_.curve_mm > 0.0)
-            line.curves = fit_curves(line.points, line.is_closed, options_.curve_mm);
         for (const EdgeId edge : edges_) {
             const auto& [v, w] = options_.mesh->edge(edge).vertices;
             line.edges.push_back({options_.mesh->file_vertex(v), options_.mesh->file_vertex(w)});
@@ -253,6 +250,8 @@ private:
 
 }  // namespace
 
+glm::dvec2 rounded_to_um(const glm::dvec2& mm) { return glm::round(mm * 1e3) / 1e3; }
+
 double PageLine::length_mm() const {
     double length = is_closed ? glm::distance(points.back(), points.front()) : 0.0;
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
@@ -263,8 +262,14 @@ double PageLine::length_mm() const {
 void add_page_lines(const LineDrawing& drawing, const ViewPlace& place,
                     const PageLineOptions& options, std::vector<PageLine>& lines) {
     PageLineMaker maker(drawing, place, options, lines);
+    const std::size_t first = lines.size();
     maker.add_strokes();
     maker.add_hidden_lines();
+    if (options.double_mm > 0.0)
+        leave_out_hidden_doubles(lines, first, options.double_mm, options.min_length_mm);
+    if (options.curve_mm > 0.0)
+        for (PageLine& line : std::span(lines).subspan(first))
+            line.curves = fit_curves(line.points, line.is_closed, options.curve_mm);
 }
 
 }  // namespace rimline::tools

@@ -36,6 +36,9 @@ struct PageLine {
     double length_mm() const;
 };
 
+/// To whole thousandths of a mm.
+glm::dvec2 rounded_to_um(const glm::dvec2& mm);
+
 /// A rectangle in picture coordinates.
 struct PictureRectangle {
     glm::dvec2 low, high;
@@ -46,6 +49,8 @@ struct PageLineOptions {
     double min_length_mm = 0.0;             ///< Shorter hidden lines are left out.
     /// Points are left out where the line moves by at most this. For drawings whose runs have all points.
     double simplify_mm = 0.0;
+    /// Greater than 0: hidden lines that run beside others, this near, are left out (hidden_doubles.h).
+    double double_mm = 0.0;
     double curve_mm = 0.0;  ///< Greater than 0: curves that leave the points by at most this.
     std::optional<PictureRectangle> frame;  ///< Lines end at its borders.
     const Mesh* mesh = nullptr;             ///< If set, PageLine::edges is.

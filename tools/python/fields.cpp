@@ -259,7 +259,7 @@ void bind_fields(py::module_& module) {
              py::arg("mesh"), py::arg("eyes"), py::kw_only(), py::arg("up") = py::none(),
              py::arg("progress") = py::none(),
              "Through N x 3 eyes of best_views(), two or more, and an interesting view between "
-             "each two.")
+             "each two. Eyes are 1.73 to 2 radii from the mesh's center; ValueError if not.")
         .def_property_readonly(
             "nodes", [](const PythonPath& p) { return copied<double>(p.path().nodes(), 3); },
             "2N x 3 float64: the points that it passes through.")
@@ -267,8 +267,8 @@ void bind_fields(py::module_& module) {
         .def("position", &PythonPath::position, py::arg("share"),
              "The point at this share of the length; 0 and 1 are the first node.")
         .def("sample", &PythonPath::sample, py::arg("count"),
-             "Eyes and up axes (each N x 3 float64) of equally spaced cameras that look at the "
-             "mesh's center.");
+             "Eyes and up axes (each N x 3 float64) of 1 to 1,000,000 equally spaced cameras that "
+             "look at the mesh's center.");
 
     module.def("_best_views", &best_views, py::arg("mesh"), py::arg("count"), py::arg("renderer"),
                py::arg("below"), py::arg("by_area"), py::arg("up"), py::arg("progress"));

@@ -267,7 +267,8 @@ void bind_mesh(py::module_& module) {
                py::arg("textures") = false, py::arg("progress") = py::none(),
                "Reads a mesh: OBJ, PLY, STL, OFF, glTF, GLB; or a built-in shape, as "
                "'shape:knot:5000'.\n\n"
-               "subdivide: refines it so many times (Loop). textures: reads pictures of materials, "
+               "subdivide: refines it so many times (Loop), 0 to 14. textures: reads pictures of "
+               "materials, "
                "which only render() needs. Raises InputError naming file and place, FileError.");
 }
 

@@ -120,7 +120,8 @@ void bind_points(py::module_& module) {
         .def(py::init<const py::object&, const py::object&, const py::object&, const py::object&>(),
              py::arg("points"), py::kw_only(), py::arg("k") = 16, py::arg("drop_outliers") = false,
              py::arg("progress") = py::none(),
-             "Finds the umbrella of each of N x 3 points, about five microseconds a point.\n\n"
+             "Finds the umbrella of each of N x 3 points, N > 0, about five microseconds a "
+             "point.\n\n"
              "k: how many nearest neighbors are looked at, 4 to 32. drop_outliers: leave out the "
              "points that lie on no surface, as scans have them; they are undecided.")
         .def("__len__", &PythonPoints::row_count)

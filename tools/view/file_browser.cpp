@@ -81,6 +81,18 @@ void FileBrowser::enter(const std::filesystem::path& folder) {
     listing_ = list_folder(folder);
 }
 
+bool draw_name(const std::string& name) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    const ImVec2 place = ImGui::GetCursorScreenPos();
+    ImGui::PushID(name.c_str());
+    const bool is_clicked = ImGui::Selectable("##name");
+    ImGui::PopID();
+    ImGui::GetWindowDrawList()->AddText(place, ImGui::GetColorU32(ImGuiCol_Text), name.c_str());
+    if (ImGui::IsItemHovered() && ImGui::CalcTextSize(name.c_str()).x > width)
+        ImGui::SetTooltip("%s", name.c_str());
+    return is_clicked;
+}
+
 std::optional<std::string> FileBrowser::draw(float height) {
     if (folder_.empty()) {
         std::error_code error;
@@ -90,11 +102,11 @@ std::optional<std::string> FileBrowser::draw(float height) {
     std::optional<std::filesystem::path> entered;
     ImGui::TextDisabled("%s", folder_.string().c_str());
     ImGui::BeginChild("files", {0.0f, height}, true);
-    if (folder_.has_parent_path() && ImGui::Selectable("..")) entered = folder_.parent_path();
+    if (folder_.has_parent_path() && draw_name("..")) entered = folder_.parent_path();
     for (const std::string& name : listing_.folders)
-        if (ImGui::Selectable((name + "/").c_str())) entered = folder_ / name;
+        if (draw_name(name + "/")) entered = folder_ / name;
     for (const std::string& name : listing_.files)
-        if (ImGui::Selectable(name.c_str())) chosen = (folder_ / name).string();
+        if (draw_name(name)) chosen = (folder_ / name).string();
     ImGui::EndChild();
     if (entered) enter(*entered);
     return chosen;

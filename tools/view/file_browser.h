@@ -40,6 +40,11 @@ struct FolderListing {
 /// Empty for a folder that cannot be read.
 FolderListing list_folder(const std::filesystem::path& folder);
 
+/// A line of a list in the window of the panel that is being drawn, to be clicked: true in the frame where it was.
+/// Names are shown as they are, also those that ImGui would take for labels with a part for itself (after ##), and in
+/// a tooltip where the list is too narrow.
+bool draw_name(const std::string& name);
+
 class FileBrowser {
 public:
     /// Draws the list of `folder()`, into the window of the panel that is being drawn. Returns the file that

@@ -15,7 +15,7 @@
 namespace rimline::tools {
 
 void ViewArguments::add_to(CLI::App& app) {
-    models_.add_to(app);
+    models_.add_to(app, StandardInput::not_read);
     cloud_.add_flags_to(app);
     scene_.add_to(app);
     picture_.add_camera_to(app);

@@ -51,7 +51,8 @@ ViewLoop::ViewLoop(Window& window, const VulkanInstance& instance, ViewSession& 
     if (options_.panel && options_.fits) fit();
     if (options_.panel) {
         find_views();
-        recent_.add(session_.document().name());
+        // A run for a screenshot opens nothing to be opened again.
+        if (options_.frames == 0) recent_.add(session_.document().name());
     }
 }
 
@@ -82,12 +83,14 @@ void ViewLoop::fit() {
 void ViewLoop::open(const std::vector<std::string>& names, bool adds) {
     const auto is_scene = [](const std::string& name) { return is_scene_file(name); };
     const ModelDocument* const model = session_.document().model();
+    added_.clear();
     if (!adds || !model) {
         if (names.size() > 1) panel_.show_message("one at a time: opening the first", false);
         loader_.open(names.front());
     } else if (std::ranges::any_of(names, is_scene)) {
         panel_.show_message("a scene file cannot be added to a scene", true);
     } else {
+        added_ = names;
         loader_.arrange({.models = model->models(),
                          .added = names,
                          .up = session_.scene_up(),
@@ -105,6 +108,7 @@ bool ViewLoop::show_loaded() {
     if (!view.document) {
         panel_.show_message(result->error, true);
         panel_.forget_places();
+        added_.clear();
         return false;
     }
     panel_.message.clear();
@@ -128,6 +132,7 @@ bool ViewLoop::show_loaded() {
         fit();
     find_views();
     recent_.add(session_.document().name());
+    for (const std::string& name : std::exchange(added_, {})) recent_.add(name);
     window_.set_title("Rimline - " + session_.document().name());
     const std::vector<std::string>& warnings = session_.document().warnings();
     if (!warnings.empty())

@@ -98,6 +98,7 @@ private:
     ModelLoader loader_;
     ViewGallery gallery_;  // Refers to the session's document.
     RecentFiles recent_;
+    std::vector<std::string> added_;    // What the loader adds to the scene, until it is there.
     std::optional<CameraPath> played_;  // While the camera moves along it.
     double played_from_s_ = 0.0;
     ViewPanel panel_;

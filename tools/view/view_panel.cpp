@@ -136,7 +136,7 @@ void ViewPanel::draw_choice(const Status& status, PanelRequests& requests) {
     ImGui::SetNextItemWidth(-0.3f * ImGui::GetWindowWidth());
     if (ImGui::BeginCombo("##shapes", "recent and built-in")) {
         for (const std::string& name : status.recent)
-            if (ImGui::Selectable(name.c_str())) requests.open = name;
+            if (draw_name(name)) requests.open = name;
         if (!status.recent.empty()) ImGui::Separator();
         for (const std::string_view shape : k_built_in_shapes)
             if (ImGui::Selectable(std::string(shape).c_str()))

@@ -378,6 +378,16 @@ def test_hidden_lines_can_be_limited_by_what_hides_them():
         assert 0 < lengths[0] < lengths[1] < lengths[2] and abs(lengths[2] / lengths[3] - 1) < 0.01
 
 
+def test_hidden_lines_of_surfaces_seen_edge_on_are_few():
+    part = model("fandisk.obj")
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "a.svg")
+        view = ["draw", part, "--views", "right", "--hidden", "dashed", "-o", path]
+        shown, all_lines = succeed(*view), succeed(*view, "--keep-coincident")
+        assert shown["visible_length"] > 1000
+        assert 100 < shown["hidden_length"] < 0.2 * all_lines["hidden_length"]
+
+
 def test_pages_have_the_size_that_is_asked_for():
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "a.svg")
@@ -454,6 +464,9 @@ def test_wrong_drawings_are_told_in_plain_words():
         assert "--views: the views of a sheet" in fail(2, *box, "--views", "front", "--azimuth", "20")
         assert "--eye excludes --azimuth" in fail(2, *box, "--eye", "front", "--azimuth", "20")
         assert "--hidden-by: needs --hidden" in fail(2, *box, "--hidden-by", "2")
+        assert "--hidden-width: needs --hidden" in fail(2, *box, "--hidden-width", "0.2")
+        assert "--curve: only drawings in SVG and PDF" in fail(2, "draw", "shape:box", "--curve", "1", "-o", "a.dxf")
+        assert "--as: needs -o -" in fail(2, *box, "--as", "pdf")
         assert "--eye and --target are the same point" in fail(2, *box, "--eye", "1,2,3", "--target", "1,2,3")
         for page in ("nan", "xx", "1e9x5", "10x", "fits"):
             fail(2, *box, "--page", page)

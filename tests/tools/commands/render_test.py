@@ -568,6 +568,14 @@ def test_render_draws_only_the_shadow_of_a_ground_on_no_background():
         # Over the paper a viewer shows what is drawn on it, up to the hue of the style's shadow.
         near = [max(abs(p[i] - (255 - q[3]) * paper[i] / 255) for i in range(3)) for p, q in shadows]
         assert sorted(near)[len(near) // 2] < 12, near
+        # Hatching has strokes in the shadow, in the same places.
+        view[1] = "hatch"
+        opaque, cutout = draw(folder, *view), draw(folder, *view, "--background", "none")
+        paper = opaque[0][0]
+        near = [abs(p[0] - (q[0] * q[3] + (255 - q[3]) * paper[0]) / 255)
+                for r, s in zip(opaque, cutout) for p, q in zip(r, s)]
+        assert max(near) <= 6, max(near)
+        assert len([p for p in near if p == 0]) > 100
 
 
 def test_a_mask_is_black_and_white():

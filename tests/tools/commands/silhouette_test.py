@@ -36,6 +36,7 @@ def test_border_edges_need_a_file():
     assert found["borders"] > 0
     for options in ([], ["--json"]):
         assert "--borders: needs -o" in fail(2, *view, "--borders", *options)
+    assert "--as: needs -o -" in fail(2, *view, "--as", "obj", "-o", "a.svg")
     with tempfile.TemporaryDirectory() as folder:
         lines = []
         for options in ([], ["--borders"]):

@@ -268,7 +268,7 @@ def best_views(
 
     visible: weigh votes by the visible share of the silhouette, which is drawn by `renderer` or on the default device.
     below: 'less', views from below and behind count less; 'full', they do not. by_area: planes count by the areas of
-    their faces. Fewer than `count` views where no other shows more.
+    their faces. count: 1 to 64; there are fewer views where no other shows more.
     """
     if visible and renderer is None:
         renderer = _renderer()
@@ -285,7 +285,7 @@ def camera_path(
 ) -> CameraPath:
     """A closed, smooth path through the best views of a mesh; `options` are those of best_views().
 
-    views: how many, or those of best_views(), or their eyes (N x 3).
+    views: how many (2 to 64), or those of best_views(), or their eyes (N x 3, 1.73 to 2 radii from the center).
     """
     if not isinstance(views, Iterable):
         if not isinstance(views, SupportsIndex):

@@ -1,0 +1,21 @@
+#pragma once
+
+// Hidden lines beside others. Surfaces seen edge-on have many hidden lines within the width of a pen: their dashes
+// would fill each other's spaces. Where lines are that near, a drawing shows the visible one, else the longest (as the
+// precedence of lines in ISO 128-2 has it for those that coincide).
+
+#include <cstddef>
+#include <vector>
+
+#include "tools/output/page_lines.h"
+
+namespace rimline::tools {
+
+/// Takes out of the hidden ones of lines[first], lines[first + 1], ... what runs beside a visible line, or beside what
+/// stays of a longer hidden one, within `reach_mm` > 0 and in about its direction. Lines that only cross or meet others
+/// stay whole. What is left of a line is one line or several, in its place, without those shorter than `min_length_mm`.
+/// No line has curves. O(length / reach_mm), times the lines near to a place.
+void leave_out_hidden_doubles(std::vector<PageLine>& lines, std::size_t first, double reach_mm,
+                              double min_length_mm);
+
+}  // namespace rimline::tools
