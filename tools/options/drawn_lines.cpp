@@ -80,7 +80,7 @@ void DrawnLines::check_usage(bool has_curves) const {
         throw UsageError("--hidden-by: needs --hidden dashed or --hidden layer");
     if (!draws_hidden() && hidden_width_option->count() > 0)
         throw UsageError("--hidden-width: needs --hidden dashed or --hidden layer");
-    if (!has_curves && curve_option->count() > 0)
+    if (!has_curves && curve_option->count() > 0 && curve_mm > 0.0)
         throw UsageError("--curve: only drawings in SVG and PDF have curves");
     if (!has_curves && (color || has_material_colors))
         throw UsageError("--line-color: only drawings in SVG and PDF have colors");

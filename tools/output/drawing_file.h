@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "tools/options/option_types.h"
-#include "tools/output/page_lines.h"
+#include "tools/output/page_line.h"
 
 namespace rimline::tools {
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "tools/output/page_lines.h"
+#include "tools/output/page_line.h"
 
 namespace rimline::tools {
 

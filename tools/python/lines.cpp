@@ -11,7 +11,7 @@
 #include "tools/options/line_kind_names.h"
 #include "tools/output/drawing_file.h"
 #include "tools/output/output_file.h"
-#include "tools/output/page_lines.h"
+#include "tools/output/page_line.h"
 #include "tools/python/arrays.h"
 #include "tools/python/keywords.h"
 #include "tools/python/long_calls.h"
