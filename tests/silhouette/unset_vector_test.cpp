@@ -14,7 +14,7 @@ long first_touched_pages() {
     return usage.ru_minflt;
 }
 
-TEST_CASE("an unset vector that grows touches no page of its own") {
+TEST_CASE("an unset vector that grows touches no page of its own" * doctest::test_suite("plain")) {
     UnsetVector<std::uint64_t> values;
     const long before = first_touched_pages();
     values.resize(std::size_t{1} << 23);  // 64 MiB.

@@ -100,8 +100,9 @@ def test_what_is_too_large_is_refused_by_its_name():
     if not starts_within(1 << 30):
         skip("the program does not start with 1 GiB of memory, as under sanitizers")
     # The first does not hold the shape, the second not its mesh.
-    for shape in ("shape:knot:200000000", "shape:knot:16000000"):
-        for command in (["info"], ["silhouette", "--from", "1,2,3"], ["track"], ["bench", "fields"]):
+    for shape, commands in (("shape:knot:200000000", (["info"], ["silhouette", "--from", "1,2,3"], ["track"], ["bench", "fields"])),
+                            ("shape:knot:16000000", (["track"],))):
+        for command in commands:
             result = run(*command, shape, preexec_fn=limit_memory(1 << 30))
             assert result.returncode == 1, (result.returncode, result.stderr)
             assert result.stderr.startswith(f"rimline: error: {shape}: there is not enough memory"), result.stderr

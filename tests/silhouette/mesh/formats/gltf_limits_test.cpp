@@ -154,7 +154,7 @@ TEST_CASE("glTF: materials that share an object with many members do not each se
     CHECK(took < 5.0);
 }
 
-TEST_CASE("glTF: reading stops within 100 ms of the request" * doctest::test_suite("plain")) {
+TEST_CASE("glTF: reading stops within 100 ms of the request" * doctest::test_suite("long")) {
     const std::string nodes = with_many_nodes(400000);
     const double longest_of_nodes = longest_stop_s("a.gltf", nodes);
     // Not more: giving back the memory of a string of 80 MB, which the parser holds three times, can take a tenth of a
