@@ -43,8 +43,8 @@ struct DrawnLines {
     void add_to(CLI::App& app);
     /// Throws UsageError for options without an effect. `has_curves`: of the format of the drawing.
     void check_usage(bool has_curves) const;
-    /// PageLineOptions::double_mm.
-    double double_mm() const { return keeps_coincident ? 0.0 : gap_mm; }
+    /// PageLineOptions::double_mm. What is not drawn need not be looked at.
+    double double_mm() const { return keeps_coincident || !draws_hidden() ? 0.0 : gap_mm; }
     bool draws_hidden() const { return hidden != "none"; }
     /// `mm_per_unit` of picture coordinates, and the longer side of the drawing.
     LineOptions line_options(double mm_per_unit,

@@ -127,7 +127,8 @@ private:
             low = glm::min(low, glm::min(step.from, step.to));
             high = glm::max(high, glm::max(step.from, step.to));
         }
-        grid_.reset(low, high, 2.0 * reach_, reach_);
+        // Between a place and a step within reach of it lies a cell that both are this near to.
+        grid_.reset(low, high, 2.0 * reach_, 0.5 * reach_);
         for (std::uint32_t i = 0; i < steps_.size(); ++i)
             grid_.add(i, steps_[i].from, steps_[i].to);
         grid_.finish();
