@@ -64,6 +64,17 @@ TEST_CASE("a hidden line beside a visible one is left out, and one further away 
     CHECK(lines[1].points == Points{{2, -0.6}, {9, -0.6}});
 }
 
+TEST_CASE("hidden lines beside visible ones are found wherever they are on the page") {
+    const PageLine corner = visible({{-3, -3}, {-2, -3}});
+    for (int i = 0; i < 100; ++i) {
+        const double y = 0.02 * i;
+        CAPTURE(y);
+        CHECK(without_doubles(
+                  {corner, visible({{0, y}, {20, y}}), hidden({{2, y + 0.49}, {9, y + 0.49}})})
+                  .size() == 2);
+    }
+}
+
 TEST_CASE("visible lines stay beside each other") {
     CHECK(without_doubles({visible({{0, 0}, {20, 0}}), visible({{2, 0.4}, {9, 0.4}})}).size() == 2);
 }
