@@ -1,8 +1,7 @@
 #pragma once
 
 // Hidden lines beside others. Surfaces seen edge-on have many hidden lines within the width of a pen: their dashes
-// would fill each other's spaces. Where lines are that near, a drawing shows the visible one, else the longest (as the
-// precedence of lines in ISO 128-2 has it for those that coincide).
+// would fill each other's spaces. Where lines are that near, a drawing shows the visible one, else the longest.
 
 #include <cstddef>
 #include <vector>
