@@ -24,6 +24,7 @@ RenderOptions::RenderOptions() {
     style.add_to(app);
     style.add_palette_to(app);
     style.add_still_lines_to(app);
+    picture.add_silhouette_to(app);
     picture.add_camera_to(app);
     picture.add_ground_up_to(app);
     picture.add_lights_to(app);
@@ -46,7 +47,7 @@ Picture BoundRenderer::render(const SharedMesh& shared, RenderOptions& options,
     if (std::ranges::find(meshes_, shared) == meshes_.end()) meshes_.push_back(shared);
     if (!options.picture.eye) options.picture.view.choose(shared->name(), mesh, up, call);
     StillScene still(shared->name(), octree, options.style, options.picture, call);
-    if (still.scene().lines) {
+    if (still.has_exact_lines()) {
         if (!lines_ || &lines_->surface().mesh() != &mesh) {
             lines_.reset();
             lines_.emplace(octree, LineSurface::Contacts::found, call);

@@ -51,6 +51,7 @@ public:
         options_.add_to(app);
         options_.add_palette_to(app);
         options_.add_still_lines_to(app);
+        picture_.add_silhouette_to(app);
         outline_.add_to(app);
         picture_.add_camera_to(app);
         models_.add_to_camera(app);
@@ -113,7 +114,7 @@ public:
         }();
         times.end("choosing the light");
         std::optional<ShownLines> lines;
-        if (still.scene().lines && outline_.draws_lines()) {
+        if (still.has_exact_lines() && outline_.draws_lines()) {
             lines.emplace(prepare_lines(octree, context));
             Progress progress(context, "drawing lines");
             still.add_lines(*lines, progress.call());

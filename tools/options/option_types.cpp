@@ -149,6 +149,10 @@ glm::vec3 parse_point(const std::string& option, std::string_view text) {
     return glm::vec3(parse_exact_point(option, text));
 }
 
+std::optional<glm::dvec3> in_double(const std::optional<glm::vec3>& point) {
+    return point ? std::optional(glm::dvec3(*point)) : std::nullopt;
+}
+
 glm::vec3 parse_direction(const std::string& option, std::string_view text) {
     const glm::vec3 direction = parse_point(option, text);
     if (HomogeneousPoint::direction(direction).xyz() == glm::vec3(0.0f))

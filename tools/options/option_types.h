@@ -25,6 +25,8 @@ glm::vec3 parse_point(const std::string& option, std::string_view text);
 glm::dvec3 parse_exact_point(const std::string& option, std::string_view text);
 /// As parse_point(), but not zero. Components below k_min_point_component count as zero.
 glm::vec3 parse_direction(const std::string& option, std::string_view text);
+/// A point of an option that may be left out.
+std::optional<glm::dvec3> in_double(const std::optional<glm::vec3>& point);
 
 CLI::Option* add_point(CLI::App& app, const std::string& name, std::optional<glm::vec3>& value,
                        const std::string& description);

@@ -40,7 +40,10 @@ void OutlineOptions::add_to(CLI::App& app) {
 void OutlineOptions::check_usage(const CLI::App& app) const {
     if (method_ != "sobel") refuse_options(app, {"--depth-step", "--normal-step"}, "sobel");
     if (method_ == "lines") return;
-    refuse_options(app, {"--crease", "--hidden", "--intersections", "--min-length"}, "lines");
+    refuse_options(app,
+                   {"--crease", "--hidden", "--intersections", "--min-length", "--silhouette-from",
+                    "--silhouette-direction"},
+                   "lines");
     const CLI::Option* const color = app.get_option("--line-color");
     if (color->count() > 0 && color->results().back() == "material")
         throw UsageError("--line-color material: belongs to --outline lines");

@@ -37,6 +37,19 @@ void PictureOptions::add_ground_up_to(CLI::App& app) {
         ->group("Camera");
 }
 
+void PictureOptions::add_silhouette_to(CLI::App& app) {
+    constexpr const char* k_group = "Style";
+    CLI::Option* from =
+        add_point(app, "--silhouette-from", silhouette_from,
+                  "Freeze the silhouette: draw that of this viewpoint, to be looked at from where "
+                  "the camera is (default: the camera's own)")
+            ->group(k_group);
+    add_direction(app, "--silhouette-direction", silhouette_direction,
+                  "The same, of a viewer who is infinitely far this way")
+        ->excludes(from)
+        ->group(k_group);
+}
+
 void PictureOptions::add_lights_to(CLI::App& app) {
     constexpr const char* k_group = "Light";
     add_points(app, "--light", lights, "Position of a point light; repeatable (default: chosen)")

@@ -24,6 +24,8 @@ struct PictureOptions {
     std::optional<glm::vec3> ground_up;  ///< Not set: `up`.
     std::optional<double> fov_degrees;   ///< Vertical. Not set: fov().
     std::optional<double> ortho_height;
+    // Whose silhouette is drawn: that of the camera, of a point, or of a direction towards the viewer.
+    std::optional<glm::vec3> silhouette_from, silhouette_direction;
 
     // Lights. The command chooses a sun if none is given.
     std::vector<glm::vec3> lights;  ///< Positions of point lights.
@@ -44,12 +46,14 @@ struct PictureOptions {
     /// --fov or its default. A camera with an eye and neither target nor --fov shows the whole model instead.
     double fov() const { return fov_degrees.value_or(35.0); }
 
+    bool has_own_silhouette() const { return silhouette_from || silhouette_direction; }
     bool is_three_point() const { return lighting == "three-point"; }
 
     void add_camera_to(CLI::App& app);
     /// The same without eye and target.
     void add_lens_to(CLI::App& app);
     void add_ground_up_to(CLI::App& app);
+    void add_silhouette_to(CLI::App& app);
     void add_lights_to(CLI::App& app);
     enum class Background { opaque, any };
     void add_image_to(CLI::App& app, Background kind = Background::opaque);

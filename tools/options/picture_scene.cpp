@@ -81,6 +81,24 @@ Camera make_camera(const Subject& subject, const std::string& model,
     return rounded_to_float(camera);
 }
 
+std::optional<Camera> silhouette_camera_of(const Subject& subject, const Camera& camera,
+                                           const std::optional<glm::dvec3>& from,
+                                           const PictureOptions& options) {
+    Camera seen{.eye = {}, .target = subject.center, .up = camera.up, .fov_y_deg = options.fov()};
+    if (from) {
+        seen.eye = *from;
+        if (seen.eye == seen.target) throw UsageError("--silhouette-from is the model's center");
+        return seen;
+    }
+    if (!options.silhouette_direction) return std::nullopt;
+    // As far away as a camera that shows the whole subject.
+    const double radius = subject.radius > 0.0 ? subject.radius : 1.0;
+    const glm::dvec3 direction = glm::normalize(glm::dvec3(*options.silhouette_direction));
+    seen.eye = seen.target + 4.0 * radius * direction;
+    seen.ortho_height = 2.0 * radius;
+    return seen;
+}
+
 SceneInstance ground_instance(const Scene& scene, const Mesh& mesh, const HoughOctree& octree,
                               double fade_radius) {
     // Strokes of Style::hatch in the shadow are those of the model.

@@ -3,6 +3,7 @@
 // Converts the options of a picture into a camera and a scene, so that the same options give the same
 // picture in every subcommand.
 
+#include <optional>
 #include <string>
 
 #include "engine/scene.h"
@@ -38,6 +39,12 @@ Camera rounded_to_float(const Camera& camera);
 /// name: the built-in scene has its own view direction. ViewOption::choose() comes before, or a chosen view is
 /// the default one. Throws UsageError if eye and target coincide.
 Camera make_camera(const Subject& subject, const std::string& model, const PictureOptions& options);
+
+/// The camera of --silhouette-from, which is `from` in the subject's coordinates, or of --silhouette-direction; nothing
+/// without both. `camera` is that of the picture. Throws UsageError if `from` is the subject's center.
+std::optional<Camera> silhouette_camera_of(const Subject& subject, const Camera& camera,
+                                           const std::optional<glm::dvec3>& from,
+                                           const PictureOptions& options);
 
 /// An instance of the mesh make_ground(mesh, up, k_ground_end * radius), of which `octree` is the octree. It
 /// receives shadows in the style, the palette and the line color of `scene`; without a background only these

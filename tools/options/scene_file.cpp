@@ -31,14 +31,14 @@ using Setting = SceneFile::Setting;
 
 namespace {
 
-enum class Kind { text, number, on_or_off, flag };
+enum class Kind { text, number, vector, on_or_off, flag };
 
 struct PictureKey {
     std::string_view name;
     Kind kind;
 };
 // Each is the name of an option.
-constexpr std::array<PictureKey, 19> k_picture_keys{{{"style", Kind::text},
+constexpr std::array<PictureKey, 21> k_picture_keys{{{"style", Kind::text},
                                                      {"palette", Kind::text},
                                                      {"color", Kind::text},
                                                      {"materials", Kind::on_or_off},
@@ -55,6 +55,8 @@ constexpr std::array<PictureKey, 19> k_picture_keys{{{"style", Kind::text},
                                                      {"outline", Kind::text},
                                                      {"depth-step", Kind::number},
                                                      {"normal-step", Kind::number},
+                                                     {"silhouette-from", Kind::vector},
+                                                     {"silhouette-direction", Kind::vector},
                                                      {"background", Kind::text},
                                                      {"size", Kind::text}}};
 
@@ -297,6 +299,7 @@ std::vector<Setting> picture_of(const Node& node) {
         switch (key.kind) {
             case Kind::text: setting.value = value.text(); break;
             case Kind::number: setting.value = value.number(); break;
+            case Kind::vector: setting.value = value.vector(); break;
             case Kind::on_or_off: setting.value = value.truth() ? "on" : "off"; break;
             case Kind::flag:
                 if (!value.truth()) continue;
@@ -447,6 +450,9 @@ Json picture_json(const CLI::App& app) {
         switch (key.kind) {
             case Kind::text: json[name] = value; break;
             case Kind::number: json[name] = std::stod(value); break;
+            case Kind::vector:
+                json[name] = short_vector(glm::dvec3(parse_point(name, value)));
+                break;
             case Kind::on_or_off: json[name] = value == "on"; break;
             case Kind::flag: json[name] = value == "true"; break;
         }

@@ -52,8 +52,8 @@ struct SceneOptions {
     bool draws_lines() const { return lines ? *lines == "on" : style != "mask"; }
     /// What is left to do with the pictures of such a scene.
     PictureFinish finish(const PictureOptions& picture) const;
-    /// Throws UsageError for a palette that the style does not have, and for colors in the style mask, which is
-    /// black and white.
+    /// Throws UsageError for a palette that the style does not have, for colors in the style mask, which is black
+    /// and white, and for options without an effect.
     void check_usage(const PictureOptions& picture) const;
     /// Whether surfaces have the colors of the model's file, if it has some.
     bool shows_file_colors() const { return materials == "on" && !color; }

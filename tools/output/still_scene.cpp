@@ -1,5 +1,8 @@
 #include "tools/output/still_scene.h"
 
+#include <array>
+
+#include "tools/options/option_types.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_lights.h"
 #include "tools/options/shadow_framing.h"
@@ -22,7 +25,10 @@ StillScene::StillScene(const std::string& name, const HoughOctree& octree,
     ground_up_ = rounded_to_float(ground_up_of(mesh, picture));
     if (style.ground) frame_ground(scene_, mesh, picture);
     if (picture.is_three_point()) add_fill_and_rim(scene_);
-    check_scene_reach(name, mesh, {&scene_.camera.eye, 1}, style.ground);
+    scene_.silhouette_camera =
+        silhouette_camera_of(mesh, camera, in_double(picture.silhouette_from), picture);
+    const std::array eyes{scene_.camera.eye, scene_.silhouette_camera.value_or(scene_.camera).eye};
+    check_scene_reach(name, mesh, eyes, style.ground);
     scene_.instances.push_back(
         {.octree = &octree, .name = name, .material = style.material(picture)});
     if (!style.ground) return;
@@ -33,7 +39,7 @@ StillScene::StillScene(const std::string& name, const HoughOctree& octree,
 
 // The ground hides no line: the model stands on it, and from below it is not drawn.
 void StillScene::add_lines(ShownLines& lines, const LongCall& call) {
-    if (!scene_.lines) return;
+    if (!has_exact_lines()) return;
     scene_.instances.front().picture_lines =
         lines.draw(scene_.camera, picture_.size, style_.line_style(scene_.palette), call);
 }

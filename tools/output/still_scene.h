@@ -25,8 +25,10 @@ public:
     StillScene(const StillScene&) = delete;
     StillScene& operator=(const StillScene&) = delete;
 
-    /// Gives the model the lines of exact visibility, if the scene has lines. `lines` is of the same octree, and draws
-    /// nothing else until the picture is drawn.
+    /// Whether its lines can have exact visibility: it has some, and they are the camera's own.
+    bool has_exact_lines() const noexcept { return scene_.lines && !scene_.silhouette_camera; }
+    /// Gives the model such lines, if it can have them. `lines` is of the same octree, and draws nothing else until
+    /// the picture is drawn.
     void add_lines(ShownLines& lines, const LongCall& call);
 
     /// The model is its first instance.

@@ -18,11 +18,9 @@ void ViewArguments::add_to(CLI::App& app) {
     models_.add_to(app, StandardInput::not_read);
     cloud_.add_flags_to(app);
     scene_.add_to(app);
+    picture_.add_silhouette_to(app);
     picture_.add_camera_to(app);
     models_.add_to_camera(app);
-    add_point(app, "--silhouette-from", silhouette_from_,
-              "Freeze the silhouette of this viewpoint (default: follow the camera)")
-        ->group("Camera");
     picture_.add_lights_to(app);
     picture_.add_image_to(app);
     picture_.add_machine_to(app);
@@ -59,13 +57,6 @@ Document ViewArguments::open_document_of_models(const BeginCall& begin) {
     return document;
 }
 
-std::optional<Camera> ViewArguments::frozen_camera(const glm::dvec3& from, const Document& document,
-                                                   const Camera& camera) const {
-    const glm::dvec3 center = document.subject().center;
-    if (from == center) throw UsageError("--silhouette-from is the model's center");
-    return Camera{.eye = from, .target = center, .up = camera.up, .fov_y_deg = picture_.fov()};
-}
-
 OpenedView ViewArguments::cloud_view(Document document, bool inspects) const {
     const bool is_lit = !picture_.lights.empty() || !picture_.suns.empty() ||
                         picture_.has_chosen_sun || scene_.ground;
@@ -74,21 +65,17 @@ OpenedView ViewArguments::cloud_view(Document document, bool inspects) const {
                          " is a cloud: lights, ground, styles, hidden lines, creases and Hough "
                          "space are of models");
     const CloudDocument& cloud = *document.cloud();
-    const auto exact = [](const std::optional<glm::vec3>& point) {
-        return point ? std::optional(glm::dvec3(*point)) : std::nullopt;
-    };
     OpenedView view;
     view.camera = make_cloud_camera(cloud.drawing(), cloud.umbrellas(), models_.name(),
-                                    exact(picture_.eye), exact(picture_.target), picture_);
+                                    in_double(picture_.eye), in_double(picture_.target), picture_);
     if (picture_.background) view.appearance.background = linear_from_srgb(*picture_.background);
     if (scene_.color) view.appearance.color = linear_from_srgb(*scene_.color);
     if (scene_.line_color) view.appearance.line_color = linear_from_srgb(*scene_.line_color);
     view.appearance.lines = scene_.draws_lines();
     if (scene_.line_width) view.appearance.line_width_px = float(*scene_.line_width);
-    if (silhouette_from_) {
-        const glm::dvec3 from(cloud.umbrellas().to_index(glm::dvec3(*silhouette_from_)));
-        view.frozen = frozen_camera(from, document, view.camera);
-    }
+    std::optional<glm::dvec3> from = in_double(picture_.silhouette_from);
+    if (from) from = glm::dvec3(cloud.umbrellas().to_index(*from));
+    view.frozen = silhouette_camera_of(document.subject(), view.camera, from, picture_);
     view.document = std::move(document);
     return view;
 }
@@ -126,8 +113,8 @@ OpenedView ViewArguments::model_view(Document document) {
     view.camera = scene.camera;
     view.lights = std::move(scene.lights);
     view.has_chosen_sun = picture_.lights.empty() && picture_.suns.empty();
-    if (silhouette_from_)
-        view.frozen = frozen_camera(glm::dvec3(*silhouette_from_), document, view.camera);
+    view.frozen = silhouette_camera_of(document.subject(), view.camera,
+                                       in_double(picture_.silhouette_from), picture_);
     view.document = std::move(document);
     return view;
 }

@@ -38,14 +38,11 @@ private:
     Document open_document_of_models(const BeginCall& begin);
     OpenedView cloud_view(Document document, bool inspects) const;
     OpenedView model_view(Document document);
-    std::optional<Camera> frozen_camera(const glm::dvec3& from, const Document& document,
-                                        const Camera& camera) const;
 
     ModelList models_;
     CloudArgument cloud_;  // Only its flags are used.
     PictureOptions picture_;
     SceneOptions scene_;
-    std::optional<glm::vec3> silhouette_from_;
 };
 
 /// Opens what the arguments of a command line say, the subcommand left out. Throws UsageError for arguments that

@@ -200,15 +200,10 @@ void ViewLoop::save_scene(const PanelRequests::Save& save) {
         OutputFile file(save.path);
         file.write(scene_text(session_.written_scene(save.size), save.path));
         file.commit();
-        panel_.show_message("saved " + save.path + without_frozen(), false);
+        panel_.show_message("saved " + save.path, false);
     } catch (const std::runtime_error& error) {
         panel_.show_message(error.what(), true);
     }
-}
-
-// What commands and scene files cannot say.
-std::string ViewLoop::without_frozen() const {
-    return session_.frozen() ? ", without the frozen silhouette" : "";
 }
 
 void ViewLoop::find_views() {
@@ -244,7 +239,7 @@ void ViewLoop::move_along_path() {
 void ViewLoop::copy_command() {
     const PanelRequests::Save picture = panel_.picture_request();
     glfwSetClipboardString(window_.handle(), session_.command(picture.size, picture.path).c_str());
-    panel_.show_message("the command is in the clipboard" + without_frozen(), false);
+    panel_.show_message("the command is in the clipboard", false);
 }
 
 void ViewLoop::execute(const PanelRequests& requests) {

@@ -79,7 +79,6 @@ private:
     void save_scene(const PanelRequests::Save& save);
     void fit();
     void find_views();
-    std::string without_frozen() const;
     void play_or_stop();
     void move_along_path();
     void copy_command();

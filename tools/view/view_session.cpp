@@ -51,7 +51,7 @@ const char* style_name(Style style) {
 
 // "picture" of a scene file. What is the style's own is left out.
 nlohmann::ordered_json picture_json(const ViewAppearance& appearance, bool is_three_point,
-                                    ImageSize size) {
+                                    const std::optional<Camera>& frozen, ImageSize size) {
     const StyleDefaults defaults = style_defaults(appearance.style);
     nlohmann::ordered_json json{{"style", style_name(appearance.style)}};
     if (appearance.background != defaults.background)
@@ -79,6 +79,10 @@ nlohmann::ordered_json picture_json(const ViewAppearance& appearance, bool is_th
         json["shadows"] = "fail";
     if (is_three_point) json["lighting"] = "three-point";
     if (appearance.ground) json["ground"] = true;
+    if (frozen && frozen->is_orthographic())
+        json["silhouette-direction"] = short_vector(frozen->eye - frozen->target);
+    else if (frozen)
+        json["silhouette-from"] = short_vector(frozen->eye);
     std::string sides = std::to_string(size.width);
     sides.append("x").append(std::to_string(size.height));
     json["size"] = std::move(sides);
@@ -268,6 +272,10 @@ bool ViewSession::has_chosen_sun() const {
 
 void ViewSession::round_to_options() {
     camera = rounded_to_float(camera);
+    if (frozen_ && frozen_->is_orthographic())
+        frozen_->eye = frozen_->target + rounded_to_float(frozen_->eye - frozen_->target);
+    else if (frozen_)
+        frozen_->eye = rounded_to_float(frozen_->eye);
     for (Light& light : lights) light.vector = rounded_to_float(light.vector);
 }
 
@@ -285,11 +293,16 @@ std::string ViewSession::command(ImageSize size, const std::string& output) cons
         command += up + " ";
     }
     command += words_of(models);
-    const nlohmann::ordered_json picture = picture_json(appearance, is_three_point(), size);
+    const nlohmann::ordered_json picture =
+        picture_json(appearance, is_three_point(), frozen_, size);
     for (const auto& [key, value] : picture.items()) {
         if (value.is_boolean()) {
             const bool is_flag = key == "hidden" || key == "ground";
             command += " --" + key + (is_flag ? "" : value.get<bool>() ? " on" : " off");
+            continue;
+        }
+        if (value.is_array()) {
+            command += " " + vector_argument("--" + key, {value[0], value[1], value[2]});
             continue;
         }
         command += " --" + key + " " +
@@ -393,7 +406,7 @@ WrittenScene ViewSession::written_scene(ImageSize size) const {
             .models = model.models(),
             .lights = scene_lights_json(rounded_lights),
             .cameras = {{"window", scene_camera_json(rounded)}},
-            .picture = picture_json(appearance, is_three_point(), size)};
+            .picture = picture_json(appearance, is_three_point(), frozen_, size)};
 }
 
 }  // namespace rimline::tools

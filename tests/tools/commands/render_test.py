@@ -310,6 +310,36 @@ def test_render_chooses_lines_by_style_and_option():
             fail(2, "render", "shape:box:12", "-o", output, *options)
 
 
+def test_render_draws_the_silhouette_of_another_point():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+        camera = ("--eye", "4,3,5", "--crease", "180")
+        counts, pictures = [], []
+        for option, seen_from in (("--silhouette-from", ("--from", "0.5,-4,1.5")),
+                                  ("--silhouette-direction", ("--direction", "0.5,-4,1.5"))):
+            drawn = succeed("render", "shape:knot:3000", "-o", output, "--size", "160x120", *camera, option, seen_from[1])
+            edges = succeed("silhouette", "shape:knot:3000", *seen_from)["edges"]
+            assert drawn["silhouette"] == edges > 0 and drawn["creases"] == 0, (drawn, edges)
+            counts.append(edges)
+            pictures.append(png_rows(output))
+        own = succeed("render", "shape:knot:3000", "-o", output, "--size", "160x120", *camera)
+        assert len({*counts, own["silhouette"]}) == 3
+        # What the lines of two viewers share is little; the surfaces are the same.
+        for picture in pictures:
+            changed = sum(a != b for row, other in zip(picture, png_rows(output)) for a, b in zip(row, other))
+            assert 0.01 < changed / (160 * 120) < 0.2, changed
+        os.remove(output)
+        for options, words in ((["--silhouette-from", "1,0,0", "--silhouette-direction", "1,0,0"], "excludes"),
+                               (["--silhouette-from", "0,0,0"], "--silhouette-from is the model's center"),
+                               (["--silhouette-direction", "0,0,0"], "--silhouette-direction"),
+                               (["--silhouette-from", "1,0,0", "--min-length", "2"], "--min-length"),
+                               (["--silhouette-from", "1,0,0", "--intersections", "on"], "--intersections"),
+                               (["--silhouette-direction", "1,0,0", "--outline", "sobel"], "belongs to --outline lines")):
+            assert words in fail(2, "render", "shape:box:12", "-o", output, *options), options
+        assert not os.path.exists(output)
+
+
 def test_render_draws_outlines_of_pixels_for_comparison():
     have_device()
     with tempfile.TemporaryDirectory() as folder:

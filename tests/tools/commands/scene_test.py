@@ -152,6 +152,7 @@ def test_a_saved_scene_draws_the_same_picture_in_every_style():
                  ["--style", "blueprint", "--hidden", "--palette", "sepia"],
                  ["--outline", "sobel", "--depth-step", "0.01", "--normal-step", "55.5"], ["--outline", "backs"],
                  ["--style", "mask", "--lines", "on"], ["--background", "none", "--ground"], ["--eye", "top", "--ground"],
+                 ["--silhouette-from", "3,1.1,-2", "--hidden"], ["--silhouette-direction=-1,0.3,2", "--ground"],
                  ["--lighting", "three-point"], ["--style", "toon", "--lighting", "three-point", "--sun", "1,2,3", "--ground"],
                  ["--ortho", "8.3", "--crease", "40.5", "--line-width", "3.3", "--line-color", "navy", "--materials", "off",
                   "--intersections", "off", "--min-length", "2.5", "--shadows", "fail", "--color", "#abc"])

@@ -335,6 +335,35 @@ TEST_CASE("three-point lighting is in the command and in the scene file as its s
     CHECK(session.is_three_point());
 }
 
+TEST_CASE("a frozen silhouette is in the command and in the scene file") {
+    ViewSession session;
+    session.show(open("shape:knot"), {.eye = {3.1, 2, 4}, .target = {0, 0.5, 0}, .fov_y_deg = 30},
+                 {{.vector = {1, 2, 0.5}, .directional = true}});
+    const auto says = [&](const std::string& words) {
+        return session.command({320, 240}, "a.png").find(words) != std::string::npos;
+    };
+    CHECK_FALSE(says("--silhouette-from"));
+    session.freeze();
+    orbit(session.camera, {1.0, 0.3});
+    CHECK(says(" --silhouette-from 3.1,2,4 "));
+    CHECK(session.written_scene({320, 240}).picture["silhouette-from"] ==
+          nlohmann::ordered_json{3.1, 2.0, 4.0});
+    // What a picture is drawn with is what the command says.
+    session.round_to_options();
+    CHECK(session.silhouette_point() == HomogeneousPoint::viewpoint({3.1f, 2.0f, 4.0f}));
+
+    Camera from{.eye = {1, 2.5, -2}, .target = {0, 0.5, 0}};
+    from.ortho_height = 3.0;
+    session.freeze_at(from);
+    CHECK(says(" --silhouette-direction 1,2,-2 "));
+    CHECK(session.written_scene({320, 240}).picture["silhouette-direction"] ==
+          nlohmann::ordered_json{1.0, 2.0, -2.0});
+    session.round_to_options();
+    CHECK(session.silhouette_point().is_direction());
+    session.thaw();
+    CHECK_FALSE(says("--silhouette"));
+}
+
 TEST_CASE("what cannot be drawn gives way to the model before it") {
     ViewSession session;
     CHECK_FALSE(session.show_previous(1.0));

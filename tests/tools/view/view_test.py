@@ -40,7 +40,8 @@ def test_view_shows_the_picture_that_render_draws():
         drawn, shown = os.path.join(folder, "drawn.png"), os.path.join(folder, "shown.png")
         for options in (["shape:knot:3000", "--ground", "--light", "2,5,1"],
                         ["shape:box", "--style", "toon", "--eye", "3,2,4", "--sun", "1,2,1", "--hidden"],
-                        ["shape:torus:2000", "--ortho", "3", "--line-width", "4", "--background", "#102030"]):
+                        ["shape:torus:2000", "--ortho", "3", "--line-width", "4", "--background", "#102030"],
+                        ["shape:knot:3000", "--eye", "3,2,4", "--silhouette-from=-2,1,3", "--hidden"]):
             options += ["--size", "200x150"]
             assert run("render", *options, "-o", drawn).returncode == 0
             result = run("view", *options, "--no-panel", "--frames", "2", "--screenshot", shown, env=display.environment)

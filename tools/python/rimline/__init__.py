@@ -130,7 +130,8 @@ class Scene:
         Camera   eye (a point, or auto, front, back, left, right, top, bottom, three-quarter), azimuth, elevation,
                  target, up, fov, ortho
         Style    style (ink, toon, blueprint, hatch, mask), palette, color, line_color, materials, lines, line_width,
-                 crease, intersections, min_length, hidden, shadows, ground, ground_up
+                 crease, intersections, min_length, hidden, silhouette_from (a point), silhouette_direction (towards
+                 the viewer), shadows, ground, ground_up
         Lights   light (a point, or several), sun (a direction, several, or auto), lighting
         Image    size (width and height), background (a color, or none)
 
