@@ -98,9 +98,9 @@ void Swapchain::remake(VkExtent2D window_size) {
                        (VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT)),
         .imageSharingMode = VK_SHARING_MODE_EXCLUSIVE,
         .preTransform = can.currentTransform,
-        .compositeAlpha = (can.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR) != 0
-                              ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR
-                              : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR,
+        // The lowest is opaque. Pictures have alpha 1: the others show the same.
+        .compositeAlpha = static_cast<VkCompositeAlphaFlagBitsKHR>(can.supportedCompositeAlpha &
+                                                                   -can.supportedCompositeAlpha),
         .presentMode = VK_PRESENT_MODE_FIFO_KHR,
         .clipped = VK_FALSE,
         .oldSwapchain = swapchain_};

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
 #include <numbers>
 #include <utility>
 #include <vector>
 
+#include "silhouette/field/projected_share.h"
 #include "silhouette/mesh/ground_axes.h"
 #include "silhouette/mesh/upright.h"
 #include "silhouette/mesh/winding.h"
@@ -85,6 +87,12 @@ double view_preference(const glm::dvec3& direction, const glm::dvec3& up) {
            (1.0 - (1.0 - k_least_behind) * 0.5 * (1.0 - likeness));
 }
 
+double size_preference(double projected_share) {
+    constexpr double k_enough = 0.4;
+    const double share = std::min(projected_share / k_enough, 1.0);
+    return (share * share) * (share * share);
+}
+
 std::optional<int> symmetry_axis(const Mesh& mesh) {
     const UprightEvidence evidence = measure_upright(mesh);
     for (int axis = 0; axis < 3; ++axis)
@@ -94,23 +102,32 @@ std::optional<int> symmetry_axis(const Mesh& mesh) {
 
 BestViews find_best_views(const TangentialField& field, const BestViewsOptions& options,
                           const LongCall& call) {
+    RIMLINE_CHECK(!options.up || glm::length(*options.up) > 0.0);
     const UnitFrame& frame = field.frame();
+    const glm::dvec3 c = glm::abs(frame.center);
+    if (std::max({c.x, c.y, c.z}) + k_view_shell.outer_radius * frame.radius > k_max_coordinate)
+        throw Error(ErrorCode::too_large,
+                    "coordinates are too large for viewpoints around the model: scale it down");
     DrawnOnce drawn(frame, options.visible_ratios);
     InterestOptions interest;
     interest.count = options.count;
     interest.weighs_all = options.draws_all;
     interest.steady = options.for_people;
+    std::optional<ProjectedShare> projected_share;
+    if (options.mesh) projected_share.emplace(*options.mesh);
     const auto preference = [&](const glm::dvec3& point) {
-        return options.up ? view_preference(point, *options.up) : 1.0;
+        return (options.up ? view_preference(point, *options.up) : 1.0) *
+               (projected_share ? size_preference((*projected_share)(point)) : 1.0);
     };
+    const bool prefers = options.up || projected_share;
     // Where a view is drawn, its preference is known before.
-    if (options.visible_ratios && options.up)
+    if (options.visible_ratios && prefers)
         interest.bound = [&](std::span<const glm::dvec3> points) {
             std::vector<double> bounds;
             for (const glm::dvec3& point : points) bounds.push_back(preference(point));
             return bounds;
         };
-    if (options.visible_ratios || options.up || options.for_people)
+    if (options.visible_ratios || prefers || options.for_people)
         interest.weigh = [&](std::span<const glm::dvec3> points) {
             std::vector<double> weights(points.size(), 1.0);
             if (options.visible_ratios) weights = drawn(points);

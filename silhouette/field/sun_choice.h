@@ -23,7 +23,7 @@ struct ChosenSun {
     bool sees_backs = false;  ///< Backs are used, because no front faces the viewpoint.
 };
 
-/// `eye` is in the mesh's coordinates, at any position. A closed inside-out mesh is reversed first
+/// `eye` is in the mesh's coordinates, each at most 2^60 in size. A closed inside-out mesh is reversed first
 /// (winding.h). Returns nothing if no face shows either side to the eye: for a mesh without planes or seen
 /// edge-on. Throws Error{cancelled}.
 std::optional<ChosenSun> choose_sun(const Mesh& mesh, const glm::dvec3& eye,

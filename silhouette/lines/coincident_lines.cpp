@@ -10,6 +10,8 @@ namespace rimline {
 namespace {
 
 constexpr double k_shifts = 4.0;
+// Nearer than this many radii, things of a mesh lie in front of each other by as much as they are far away.
+constexpr double k_near_radii = 4.0;
 // In tolerances. Lines that turn from each other are near to each other on a stretch of one tolerance over the turn.
 constexpr double k_min_stretch = 100.0;
 
@@ -18,8 +20,12 @@ double cross_of(const glm::dvec2& u, const glm::dvec2& v) { return u.x * v.y - u
 }  // namespace
 
 double coincidence_tolerance(const LineFrame& frame) {
-    return k_shifts * LineView::k_shift *
-           (frame.view->is_orthographic() ? frame.surface->mesh().radius() : 1.0);
+    const LineView& view = *frame.view;
+    const Mesh& mesh = frame.surface->mesh();
+    if (view.is_orthographic()) return k_shifts * view.shift() * mesh.radius();
+    const double distance = drawn_distance(mesh, view.eye());
+    return k_shifts * view.shift() / distance *
+           std::min(1.0, k_near_radii * mesh.radius() / distance);
 }
 
 bool may_coincide(const FlatLine& a, const FlatLine& b, double tolerance) noexcept {

@@ -13,7 +13,9 @@
 
 namespace rimline {
 
-/// Seen from the eye, and not from the point beside it, lines coincide that are so near to each other from there.
+/// Seen from the eye, and not from the point beside it, lines coincide that are so near to each other from there. In a
+/// perspective picture it is a share of the picture of the mesh, from four radii away on: what moves beside
+/// another thing is the difference of two shifts.
 double coincidence_tolerance(const LineFrame& frame);
 
 /// False where the two lines coincide nowhere, but for stretches of a hundred tolerances or less.

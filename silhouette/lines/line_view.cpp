@@ -1,5 +1,6 @@
 #include "silhouette/lines/line_view.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -13,14 +14,38 @@ namespace {
 // lies on no plane of a machine part.
 constexpr glm::dvec3 k_shift_direction{0.6180339887, 0.7548776662, 0.2193};
 
+// Steps of a float by which the point is at least shifted, and the greatest shift for their sake, as a share of the
+// distance.
+constexpr double k_shift_steps = 4.0;
+constexpr double k_max_shift = 0x1p-12;
+
+double largest_of(const glm::dvec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+// By a power of two, so that squares are doubles. Changes no bit of the direction.
+glm::dvec3 scaled(const glm::dvec3& v) {
+    const double largest = largest_of(v);
+    if (!(largest > 0.0)) return v;
+    const int exponent = -std::ilogb(largest);
+    return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+}
+
+double shift_at(const glm::dvec3& eye, double distance) {
+    const double largest = largest_of(eye);
+    const double step = largest > 0.0 ? std::ldexp(1.0, std::ilogb(largest) - 23) : 0.0;
+    return std::max(LineView::k_shift * distance,
+                    std::min(k_shift_steps * step, k_max_shift * distance));
+}
+
 }  // namespace
 
 LineView::LineView(const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up)
     : eye_(eye), target_(target) {
     RIMLINE_CHECK(eye != target);
-    forward_ = glm::normalize(target - eye);
-    glm::dvec3 right = glm::cross(forward_, up);
-    if (!(glm::length(right) > 1e-9 * glm::length(up)))
+    forward_ = glm::normalize(scaled(target - eye));
+    glm::dvec3 right = glm::cross(forward_, scaled(up));
+    if (!(glm::length(right) > 1e-9 * glm::length(scaled(up))))
         right = glm::cross(forward_,
                            std::abs(forward_.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1));
     right_ = glm::normalize(right);
@@ -28,9 +53,9 @@ LineView::LineView(const glm::dvec3& eye, const glm::dvec3& target, const glm::d
 }
 
 LineView LineView::perspective(const glm::dvec3& eye, const glm::dvec3& target,
-                               const glm::dvec3& up) {
+                               const glm::dvec3& up, std::optional<double> distance) {
     LineView view(eye, target, up);
-    const double shift = k_shift * glm::length(target - eye);
+    const double shift = view.shift_ = shift_at(eye, distance.value_or(glm::length(target - eye)));
     view.point_ = HomogeneousPoint::viewpoint(glm::vec3(
         eye + shift * (k_shift_direction.x * view.right_ + k_shift_direction.y * view.up_ +
                        k_shift_direction.z * view.forward_)));
@@ -77,6 +102,11 @@ LineView::Projected LineView::project_from_point(const glm::dvec3& point) const 
     const glm::dvec3 q = point - glm::dvec3(point_.xyz());
     const double depth = glm::dot(q, point_forward_);
     return {{glm::dot(q, point_right_) / depth, glm::dot(q, point_up_) / depth}, depth};
+}
+
+double drawn_distance(const Mesh& mesh, const glm::dvec3& eye) {
+    const double distance = std::max(glm::distance(mesh.center(), eye), mesh.radius());
+    return distance > 0.0 ? distance : 1.0;
 }
 
 }  // namespace rimline

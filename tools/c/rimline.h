@@ -246,7 +246,7 @@ RIMLINE_API rimline_status rimline_picture_encode_png(const rimline_picture* pic
 
 typedef struct rimline_view {
     double eye[3];
-    double score;         /**< Votes times visible ratio, less from below and behind. */
+    double score;         /**< Votes times visible ratio, less from below, behind, and of ends. */
     double visible_ratio; /**< The visible share of the silhouette. */
 } rimline_view;
 

@@ -54,6 +54,7 @@ public:
     }
 
     void add_options(CLI::App& app) override {
+        app_ = &app;
         model_.add_to(app);
         std::string names;
         std::vector<std::string> choices;
@@ -103,10 +104,12 @@ public:
         if (at_.empty() && !slice_) throw UsageError("field: say what to tell: --at or --slice");
         if (slice_.has_value() != !output_.empty())
             throw UsageError("field: --slice and --output go together");
+        if (!slice_) refuse_options(*app_, {"--resolution"}, "belongs to --slice");
         std::optional<OutputFile> file;
         if (slice_) file.emplace(output_, model_.model);
 
         const Mesh mesh = model_.load_mesh(context);
+        check_has_planes(model_.model, mesh);
         std::optional<Progress> progress;
         progress.emplace(context, "grouping planes");
         const UnitPlanes planes(mesh);
@@ -204,6 +207,7 @@ private:
 
     std::string axis_name() const { return std::string(1, static_cast<char>('x' + slice_->axis)); }
 
+    const CLI::App* app_ = nullptr;
     ModelArgument model_;
     std::string function_ = "origins";
     std::string weight_ = "count";

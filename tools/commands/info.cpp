@@ -77,12 +77,12 @@ struct UsedMaterials {
 // What a file of points has.
 struct CloudFacts {
     Extent extent;
-    double spacing;  // The median distance of a point to its nearest; 0 for one point.
+    std::optional<double> spacing;  // The median distance of a point to its nearest.
     bool has_normals, has_colors, has_intensities;
 };
 
-double median_spacing(const PointCloud& cloud, const LongCall& call) {
-    if (cloud.size() < 2) return 0.0;
+std::optional<double> median_spacing(const PointCloud& cloud, const LongCall& call) {
+    if (cloud.size() < 2) return std::nullopt;
     const NeighborLists neighbors(cloud.positions(), 1, call);
     std::vector<double> distances;
     for (std::uint32_t p = 0; p < cloud.size(); ++p)
@@ -177,7 +177,8 @@ public:
                           {"has_normals", cloud->has_normals},
                           {"has_colors", cloud->has_colors},
                           {"has_intensities", cloud->has_intensities},
-                          {"spacing", cloud->spacing}};
+                          {"spacing", nullptr}};
+        if (cloud && cloud->spacing) cloud_json["spacing"] = *cloud->spacing;
         nlohmann::ordered_json drawn_json;
         if (drawn)
             drawn_json = {{"hidden", drawn->hidden},
@@ -242,8 +243,9 @@ private:
               std::pair("intensities", cloud.has_intensities)})
             if (is_there) has += (has.empty() ? "" : ", ") + std::string(name);
         std::printf("  each has    %s\n", has.empty() ? "a position only" : has.c_str());
-        std::printf("  spacing     %.9g, the median distance to the nearest point\n",
-                    cloud.spacing);
+        if (cloud.spacing)
+            std::printf("  spacing     %.9g, the median distance to the nearest point\n",
+                        *cloud.spacing);
         print_place(extent);
     }
 

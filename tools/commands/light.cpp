@@ -36,11 +36,12 @@ public:
         app.add_flag("--by-votes", by_votes_, "Choose by votes of the faces instead (thesis 4.6)")
             ->group("Light");
         app.footer(
-            "Chooses the sun that `render --eye` chooses: above the horizon, so that a third to "
-            "two thirds of what\n"
-            "the camera sees are lit, and the tones are spread. Cast shadows count as dark. `sun` "
-            "is a direction\n"
-            "from the model towards the light, as in --sun.\n"
+            "Chooses the sun that `render --eye` chooses: so that, where the model allows it, a "
+            "third to two thirds\n"
+            "of what the camera sees are lit, and the tones are spread; above the horizon, unless "
+            "the camera looks\n"
+            "up. Cast shadows count as dark. `sun` is a direction from the model towards the "
+            "light, as in --sun.\n"
             "With --by-votes, faces seen from the front vote for light at a grazing angle, which "
             "shows small changes\n"
             "of slope, and against directions that leave them unlit. If no face is seen from the "
@@ -76,7 +77,8 @@ private:
 
     // The frame of a picture of the default size.
     PictureFrame frame(const Mesh& mesh) {
-        const glm::dvec3 up = settle_up(mesh, up_, is_up_auto_).up;
+        chosen_up_ = settle_up(mesh, up_, is_up_auto_);
+        const glm::dvec3 up = chosen_up_.up;
         constexpr double k_aspect = 4.0 / 3.0;
         const ViewCamera camera = camera_of_view(mesh, glm::dvec3(*eye_), up, k_aspect);
         if (camera.eye == camera.target)
@@ -116,6 +118,8 @@ private:
                                  {"bright", tones.bright},
                                  {"detail", tones.detail},
                                  {"spread", tones.spread},
+                                 {"up", json_vector(chosen_up_.up)},
+                                 {"up_from", up_source_name(chosen_up_.source)},
                                  {"ms", ms}});
             return;
         }
@@ -126,6 +130,7 @@ private:
                     100.0 * tones.bright);
         std::printf("  detail      %.0f%% of it is lit\n", 100.0 * tones.detail);
         std::printf("  time        %.1f ms\n", ms);
+        print_up(chosen_up_);
     }
 
     void print_voted(const Mesh& mesh, const Context& context) const {
@@ -160,6 +165,7 @@ private:
     std::optional<glm::vec3> eye_, up_;
     bool is_up_auto_ = false;
     bool by_votes_ = false;
+    ChosenUp chosen_up_;  // Of a sun by tones.
 };
 
 }  // namespace

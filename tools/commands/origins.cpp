@@ -82,6 +82,7 @@ public:
     std::string summary() const override { return "Choose origins for Hough spaces"; }
 
     void add_options(CLI::App& app) override {
+        app_ = &app;
         model_.add_to(app);
         count_option_ = add_count(app, "-k,--count", count_, 1, 64,
                                   "How many (default: as many as take the least work)");
@@ -117,9 +118,12 @@ public:
         if (count_option_->count() > 0 && max_option_->count() > 0)
             throw UsageError("origins: --count and --most exclude each other");
         if (literal_) require_methods("origins --literal");
+        if (output_.empty())
+            refuse_options(*app_, {"--direction", "--up"}, "there is no picture; give -o FILE.png");
         std::optional<OutputFile> file;
         if (!output_.empty()) file.emplace(output_, model_.model);
         const Mesh mesh = model_.load_mesh(context);
+        check_has_planes(model_.model, mesh);
         return about_model(model_.model, [&] { return run(mesh, file, context); });
     }
 
@@ -184,6 +188,12 @@ private:
         return literal;
     }
 
+    static std::string share_text(double votes) {
+        std::array<char, 40> text{};
+        std::snprintf(text.data(), text.size(), "%.1f%% of the votes", 100.0 * votes);
+        return text.data();
+    }
+
     static double milliseconds_since(Clock::time_point start) {
         return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     }
@@ -192,18 +202,20 @@ private:
                 const LiteralTrials& literal, std::span<const double> times_us, double search_ms,
                 const Context& context) const {
         std::vector<glm::dvec3> origins = chosen.found.origins;
-        std::vector<double> votes = chosen.found.votes;
+        std::vector<std::optional<double>> votes(chosen.found.votes.begin(),
+                                                 chosen.found.votes.end());
+        // None was better than the center, which nothing votes for.
         if (origins.empty()) {
             origins.push_back(mesh.center());
-            votes.push_back(0.0);
+            votes.emplace_back();
         }
         if (!context.json) {
             std::printf("%s: %zu origins in %.0f ms\n", model_.model.c_str(), origins.size(),
                         search_ms);
             for (std::size_t i = 0; i < origins.size(); ++i)
-                std::printf("  %.9g,%.9g,%.9g  %u faces, %.1f%% of the votes\n", origins[i].x,
-                            origins[i].y, origins[i].z, trial.statistics.group_faces[i],
-                            100.0 * votes[i]);
+                std::printf("  %.9g,%.9g,%.9g  %u faces, %s\n", origins[i].x, origins[i].y,
+                            origins[i].z, trial.statistics.group_faces[i],
+                            votes[i] ? share_text(*votes[i]).c_str() : "the center");
             if (count_option_->count() > 0 && origins.size() < count_)
                 std::printf("  no plane has votes left for more\n");
             std::printf("  %u SFO edges; %llu boxes, %llu edges an extraction\n",
@@ -231,11 +243,14 @@ private:
             return;
         }
         nlohmann::ordered_json list_of_origins = nlohmann::ordered_json::array();
+        nlohmann::ordered_json list_of_votes = nlohmann::ordered_json::array();
+        for (const std::optional<double>& v : votes)
+            list_of_votes.push_back(v ? nlohmann::ordered_json(*v) : nlohmann::ordered_json());
         for (const glm::dvec3& origin : origins) list_of_origins.push_back(json_vector(origin));
         nlohmann::ordered_json object{{"model", model_.model},
                                       {"alpha", alpha_},
                                       {"origins", std::move(list_of_origins)},
-                                      {"votes", votes},
+                                      {"votes", std::move(list_of_votes)},
                                       {"sfo_edges", trial.statistics.sfo_edges},
                                       {"groups", trial.statistics.group_faces},
                                       {"box_checks", trial.mean.box_checks},
@@ -256,6 +271,7 @@ private:
         print_json(context, std::move(object));
     }
 
+    const CLI::App* app_ = nullptr;
     ModelArgument model_;
     std::uint32_t count_ = 3;
     std::uint32_t max_ = 5;

@@ -14,6 +14,7 @@
 #include "tools/options/animation.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/model_octree.h"
+#include "tools/options/option_types.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_lights.h"
 #include "tools/options/scene_options.h"
@@ -38,6 +39,7 @@ public:
     std::string summary() const override { return "Plan a camera path through the best views"; }
 
     void add_options(CLI::App& app) override {
+        app_ = &app;
         model_.add_to(app);
         choice_.add_to(app, 2);
         plan_.add_to(app);
@@ -75,6 +77,9 @@ public:
                                              .fps = fps_,
                                              .size = picture_.size,
                                              .finish = style_.finish(picture_)});
+        else
+            refuse_options(*app_, {"Style", "Light", "Image", "--fps"},
+                           "there are no pictures; give -o FOLDER");
         const Mesh mesh =
             model_.load_drawn_mesh(context, sink ? style_.textures() : TexturePictures::skip);
         context.checkpoint();
@@ -190,6 +195,7 @@ private:
     std::string output_;
     std::uint32_t fps_ = 30;
     CLI::Option* output_option_ = nullptr;
+    const CLI::App* app_ = nullptr;
 };
 
 }  // namespace

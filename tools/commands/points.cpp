@@ -42,6 +42,7 @@ public:
     }
 
     void add_options(CLI::App& app) override {
+        app_ = &app;
         cloud_.add_to(app);
         add_exact_point(app, "--eye", eye_, "Position of the camera (default: chosen, with -o)")
             ->group("Camera");
@@ -130,6 +131,12 @@ public:
         if (from_ && direction_) throw UsageError("--from and --direction: give one of them");
         const PointSurfaceOptions options = surface_.options();
         if (verify_ && turn_frames_ == 0) throw UsageError("--verify: belongs to --turn");
+        if (turn_frames_ == 0) refuse_options(*app_, {"--step"}, "belongs to --turn");
+        if (output_.empty())
+            refuse_options(*app_,
+                           {"--target", "--fov", "--ortho", "--mode", "--look", "Image", "--device",
+                            "--validate"},
+                           "there is no picture; give -o FILE.png");
         if (!export_.empty() && (export_ == output_ || is_same_file(export_, output_)))
             throw UsageError("--export: " + export_ + " is what -o writes; name another file");
         check_output(context, output_);
@@ -180,7 +187,9 @@ private:
             [&] { return PointSurface(cloud.positions(), options, surface_progress.call()); });
         CloudAnalysis analysis(std::move(cloud), std::move(surface));
         analysis.umbrellas_ms = ms_since(start);
-        if (options.method == PointSurfaceOptions::Method::robust)
+        if (options.method == PointSurfaceOptions::Method::thesis)
+            analysis.method = "thesis";
+        else
             analysis.hole_limit = hole_limit(analysis.surface, options.gap_ratio);
         context.times.end("umbrellas");
         start = Clock::now();
@@ -221,6 +230,7 @@ private:
         const UmbrellaIndex umbrellas(analysis.surface, progress.call());
         analysis.index_ms = ms_since(start);
         context.times.end("index");
+        warn_of_far_points(analysis.surface, umbrellas);
         std::optional<HomogeneousPoint> point;
         if (direction_) point = umbrellas.direction(glm::dvec3(*direction_));
         if (from_) point = umbrellas.viewpoint(*from_);
@@ -261,6 +271,19 @@ private:
         context.times.end("silhouette");
     }
 
+    // Roundings turn the planes of umbrellas that are small against the whole cloud.
+    void warn_of_far_points(const PointSurface& surface, const UmbrellaIndex& umbrellas) const {
+        constexpr double k_least_steps = 16.0;
+        const double spacing = median_scale(surface).value_or(INFINITY);
+        if (spacing >= k_least_steps * umbrellas.resolution()) return;
+        char text[160];
+        std::snprintf(text, sizeof text,
+                      ": its points are %.3g apart, but it is so large that silhouettes round "
+                      "positions to %.3g: leave out what lies far away",
+                      spacing, umbrellas.resolution());
+        print_warning(cloud_.model + text);
+    }
+
     PointTurn turn(const Context& context, const CloudAnalysis& analysis,
                    const UmbrellaIndex& umbrellas) const {
         return measure_turn(umbrellas, analysis.up->up, turn_frames_, turn_step_deg_, verify_,
@@ -282,6 +305,7 @@ private:
     std::string output_;
     std::string export_;
     bool without_lists_ = false;
+    const CLI::App* app_ = nullptr;
 };
 
 }  // namespace

@@ -34,14 +34,23 @@ BorderTruth compare_borders(const CloudAnalysis& analysis) {
     return truth;
 }
 
-std::optional<HoleLimit> hole_limit(const PointSurface& surface, double gap_ratio) {
+std::optional<double> median_scale(const PointSurface& surface) {
     std::vector<double> scales;
     for (std::uint32_t p = 0; p < surface.size(); ++p)
         if (const double scale = surface.scale(PointId{p}); scale > 0.0) scales.push_back(scale);
     if (scales.empty()) return std::nullopt;
     const auto middle = scales.begin() + static_cast<std::ptrdiff_t>(scales.size() / 2);
     std::ranges::nth_element(scales, middle);
-    return HoleLimit{gap_ratio * *middle, gap_ratio * std::ranges::max(scales)};
+    return *middle;
+}
+
+std::optional<HoleLimit> hole_limit(const PointSurface& surface, double gap_ratio) {
+    const std::optional<double> median = median_scale(surface);
+    if (!median) return std::nullopt;
+    double largest = 0.0;
+    for (std::uint32_t p = 0; p < surface.size(); ++p)
+        largest = std::max(largest, surface.scale(PointId{p}));
+    return HoleLimit{gap_ratio * *median, gap_ratio * largest};
 }
 
 void print_object(const Context& context, const PointsReport& report) {
@@ -65,6 +74,7 @@ void print_object(const Context& context, const PointsReport& report) {
           {"feature", count(PointLabel::feature)},
           {"undecided", count(PointLabel::undecided)}}},
         {"reasons", std::move(reasons)},
+        {"method", analysis.method},
         {"smallest_hole", nullptr},
         {"inconsistent_edges", analysis.surface.inconsistent_edge_count()},
         {"silhouette_points", analysis.silhouette.size()},

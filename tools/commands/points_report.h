@@ -29,6 +29,9 @@ struct BorderTruth {
     }
 };
 
+/// The median of the scales of points that have one: about their distance from each other.
+std::optional<double> median_scale(const PointSurface& surface);
+
 /// The radius of the smallest hole that can be found, in the cloud's units.
 struct HoleLimit {
     double median;   ///< Over the points.
@@ -47,6 +50,7 @@ struct CloudAnalysis {
     std::vector<PointId> silhouette;
     std::vector<PointEdge> consensus;
     std::size_t arcs = 0;
+    const char* method = "robust";  ///< Of finding umbrellas.
     std::optional<BorderTruth> truth;
     std::optional<PointsPictureReport> picture;
     std::optional<PointTurn> turn;

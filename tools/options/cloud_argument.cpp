@@ -45,7 +45,7 @@ PointCloud CloudArgument::load(const Context& context) const {
 
 PointCloud CloudArgument::load(const BeginCall& begin) const {
     PointSource source;
-    if (is_built_in_shape(model) || subdivide > 0)
+    if (is_built_in_shape(model) || (as_points && subdivide > 0))
         source = points_of(load_model(model, subdivide, FaceRequirement::faces_or_points, begin,
                                       TexturePictures::skip, format));
     else if (model == k_standard_input)
@@ -58,11 +58,18 @@ PointCloud CloudArgument::load(const BeginCall& begin) const {
                                    begin("reading " + model));
         });
     declare_inputs(source.files);
+    if (subdivide > 0 && source.triangles.empty())
+        throw Error(ErrorCode::bad_input, model + ": --subdivide: it has no faces");
     if (!as_points && !source.triangles.empty())
         throw Error(ErrorCode::bad_input, model + ": it has " +
                                               std::to_string(source.triangles.size()) +
                                               " faces; --as-points takes its vertices for a cloud");
-    return about_model(model, [&] { return PointCloud(std::move(source)); });
+    PointCloud cloud = about_model(model, [&] { return PointCloud(std::move(source)); });
+    if (cloud.size() == 0)
+        throw Error(ErrorCode::bad_input, model + ": none of its " +
+                                              std::to_string(cloud.file_point_count()) +
+                                              " points is finite");
+    return cloud;
 }
 
 }  // namespace rimline::tools

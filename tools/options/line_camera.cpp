@@ -100,7 +100,8 @@ LineCamera LineCameraOptions::make_camera(const std::string& model, const Mesh& 
     return {
         .name = "camera",
         .view = is_orthographic ? LineView::orthographic(place.eye, place.target, upwards)
-                                : LineView::perspective(place.eye, place.target, upwards),
+                                : LineView::perspective(place.eye, place.target, upwards,
+                                                        drawn_distance(mesh, place.eye)),
         .eye = place.eye,
         .target = place.target,
         .up = upwards,

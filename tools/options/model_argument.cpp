@@ -110,9 +110,11 @@ MeshSource load_model(const std::string& model, std::uint32_t subdivide,
     else
         source = read_model(model, format, requirement, begin);
     declare_inputs(source.files);
+    if (subdivide > 0 && source.triangles.empty())
+        throw Error(ErrorCode::bad_input, model + ": --subdivide: it has no faces");
     if (textures == TexturePictures::read && !source.materials.textures.empty())
         read_textures(source, begin("reading the textures of " + model));
-    if (subdivide > 0 && !source.triangles.empty()) {
+    if (subdivide > 0) {
         const LongCall call = begin("subdividing " + model);
         MeshSource refined =
             about_model(model, [&] { return subdivide_loop(source, subdivide, call); });
@@ -183,6 +185,13 @@ void check_has_extent(const std::string& model, const Mesh& mesh) {
     check_is_no_point(model, mesh);
 }
 
+void check_has_planes(const std::string& model, const Mesh& mesh) {
+    if (std::ranges::none_of(mesh.planes(), &Plane::has_normal))
+        throw Error(
+            ErrorCode::bad_input,
+            model + ": no face has a plane: take a model with faces that are not degenerate");
+}
+
 void check_is_no_point(const std::string& model, const Mesh& mesh) {
     if (mesh.radius() == 0.0)
         throw Error(ErrorCode::bad_input,
@@ -229,7 +238,7 @@ void ModelArgument::add_to(CLI::App& app, Presence presence) {
 
 void add_input_format(CLI::App& app, std::string& format) {
     app.add_option("--format", format, "Format of a MODEL from standard input")
-        ->check(CLI::IsMember({"ply", "obj", "stl", "off", "glb"}))
+        ->check(CLI::IsMember({"ply", "obj", "stl", "off", "glb", "xyz", "pts"}))
         ->group("Model");
 }
 

@@ -294,4 +294,17 @@ CLI::Option* add_device(CLI::App& app, std::string& value, const std::string& de
         ->group("Machine");
 }
 
+void refuse_options(const CLI::App& app, std::initializer_list<std::string_view> names_or_groups,
+                    const std::string& why) {
+    const auto is_named = [&](const std::string& text) {
+        return std::ranges::find(names_or_groups, text) != names_or_groups.end();
+    };
+    for (const CLI::Option* option : app.get_options()) {
+        const std::string name = option->get_name();
+        if (option->count() > 0 && name != "--seed" &&
+            (is_named(name) || is_named(option->get_group())))
+            throw UsageError(name + ": " + why);
+    }
+}
+
 }  // namespace rimline::tools

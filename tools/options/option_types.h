@@ -9,6 +9,7 @@
 #include <CLI/App.hpp>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -83,5 +84,10 @@ constexpr std::uint32_t k_max_image_side = 16384;
 /// `WxH`, each from 1 to k_max_image_side.
 CLI::Option* add_image_size(CLI::App& app, const std::string& name, ImageSize& value,
                             const std::string& description);
+
+/// Throws UsageError for the first option that is given of these, which are names of options or of groups of them;
+/// `why` says what is missing, after the option's name. The seed is left out: it changes nothing without pictures.
+void refuse_options(const CLI::App& app, std::initializer_list<std::string_view> names_or_groups,
+                    const std::string& why);
 
 }  // namespace rimline::tools

@@ -1,22 +1,9 @@
 #include "tools/options/outline_options.h"
 
-#include <initializer_list>
-
 #include "tools/command.h"
 #include "tools/options/option_types.h"
 
 namespace rimline::tools {
-
-namespace {
-
-void refuse_options(const CLI::App& app, std::initializer_list<const char*> options,
-                    const char* method) {
-    for (const char* name : options)
-        if (app.get_option(name)->count() > 0)
-            throw UsageError(std::string(name) + ": belongs to --outline " + method);
-}
-
-}  // namespace
 
 void OutlineOptions::add_to(CLI::App& app) {
     constexpr const char* k_group = "Style";
@@ -38,12 +25,13 @@ void OutlineOptions::add_to(CLI::App& app) {
 }
 
 void OutlineOptions::check_usage(const CLI::App& app) const {
-    if (method_ != "sobel") refuse_options(app, {"--depth-step", "--normal-step"}, "sobel");
+    if (method_ != "sobel")
+        refuse_options(app, {"--depth-step", "--normal-step"}, "belongs to --outline sobel");
     if (method_ == "lines") return;
     refuse_options(app,
                    {"--crease", "--hidden", "--intersections", "--min-length", "--silhouette-from",
                     "--silhouette-direction"},
-                   "lines");
+                   "belongs to --outline lines");
     const CLI::Option* const color = app.get_option("--line-color");
     if (color->count() > 0 && color->results().back() == "material")
         throw UsageError("--line-color material: belongs to --outline lines");

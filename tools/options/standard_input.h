@@ -12,12 +12,12 @@ namespace rimline::tools {
 /// The MODEL that stands for standard input.
 constexpr const char* k_standard_input = "-";
 
-/// Reads standard input to its end, for a cloud. `format` may be xyz or pts, too.
+/// Reads standard input to its end, for a cloud.
 PointSource read_cloud_from_standard_input(const std::string& format, BadPoints bad,
                                            const LongCall& call);
 
 /// Reads standard input to its end. Throws UsageError without a format, or if standard input is a terminal, and
-/// Error as read_mesh_bytes(). `format` is ply, obj, stl, off or glb.
+/// Error as read_mesh_bytes(). `format` is ply, obj, stl, off, glb, or of clouds xyz or pts.
 MeshSource read_standard_input(const std::string& format, FaceRequirement requirement,
                                const LongCall& call);
 

@@ -24,7 +24,8 @@ void SurfaceOptions::add_to(CLI::App& app) {
                                               "expected robust or thesis, not '" + text + "'");
                method_ = text;
            },
-           "robust, or thesis: the method of chapter 5 of the thesis")
+           "robust, or thesis: the method of chapter 5 of the thesis, which its options below "
+           "choose too")
         ->type_name("NAME")
         ->default_str("robust")
         ->group(group);

@@ -19,7 +19,9 @@ void ViewChoice::add_to(CLI::App& app, std::uint32_t min_count) {
     app.add_option(
            "--below", below,
            "Views from below the horizon count less, down to a half at 60 degrees, and views from "
-           "behind a fifth less than three-quarter views; full: neither")
+           "behind a fifth less than three-quarter views, and those of the ends of long models "
+           "less; "
+           "full: none of these")
         ->check(CLI::IsMember({"less", "full"}))
         ->capture_default_str()
         ->group("Views");
@@ -39,7 +41,10 @@ BestViewsOptions ViewChoice::options(const Mesh& mesh, const glm::dvec3& up,
     BestViewsOptions options;
     options.count = count;
     options.visible_ratios = ratios;
-    if (below == "less") options.up = up;
+    if (below == "less") {
+        options.up = up;
+        options.mesh = &mesh;
+    }
     options.mirror_axis = symmetry_axis(mesh);
     options.for_people = true;
     return options;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "silhouette/error.h"
+#include "tools/command.h"
 #include "tools/input_files.h"
 
 namespace rimline::tools {
@@ -17,7 +18,10 @@ namespace rimline::tools {
 namespace fs = std::filesystem;
 
 OutputFolder::OutputFolder(fs::path path, const char* what) : path_(std::move(path)) {
-    if (path_.empty()) throw Error(ErrorCode::io, "the output folder's name is empty");
+    if (path_.empty()) throw UsageError("-o: expected the name of a folder, not ''");
+    if (path_ == "-") throw UsageError("-o -: pictures are in a folder; give its name");
+    if (path_.extension() == ".png" && !fs::is_directory(path_))
+        throw UsageError(path_.string() + ": expected the name of a folder, not of a PNG file");
     const auto fail = [&](const std::string& why) {
         throw Error(ErrorCode::io, path_.string() + ": cannot write " + what + ": " + why);
     };

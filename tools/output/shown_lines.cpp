@@ -26,9 +26,10 @@ constexpr double k_min_share = 1.0 / 60.0;
 // Silhouettes move to the contour of the smooth surface by no more than half a line's width, in pixels.
 constexpr double k_smooth_px = 1.0;
 
-LineView view_of(const Camera& camera) {
+LineView view_of(const Camera& camera, const Mesh& mesh) {
     return camera.is_orthographic() ? LineView::orthographic(camera.eye, camera.target, camera.up)
-                                    : LineView::perspective(camera.eye, camera.target, camera.up);
+                                    : LineView::perspective(camera.eye, camera.target, camera.up,
+                                                            drawn_distance(mesh, camera.eye));
 }
 
 // Pixels for each unit of picture coordinates.
@@ -50,7 +51,7 @@ const PictureLines* ShownLines::draw(const Camera& camera, ImageSize size, const
                                      const LongCall& call) {
     const glm::dvec3 reach = glm::abs(camera.eye) + glm::distance(camera.eye, camera.target);
     if (!HomogeneousPoint::is_valid(glm::vec3(reach))) return nullptr;
-    const LineView view = view_of(camera);
+    const LineView view = view_of(camera, octree_.mesh());
     const SilhouetteTracker silhouette(octree_, view.point());
     const double pixels = pixels_a_unit(camera, size);
     const double min_length = style.min_length.value_or(k_min_share * size.height) / pixels;

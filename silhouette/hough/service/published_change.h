@@ -19,7 +19,8 @@ class SilhouetteTracker;
 /// A tracker in a service. Ids are not reused: the id of a removed tracker stays invalid.
 enum class TrackerId : std::uint64_t {};
 
-/// The id of no tracker.
+/// The id of no tracker, for a variable that has none yet. The service takes only ids that add() returned, before or
+/// after remove(): this one stops the program.
 constexpr TrackerId k_no_tracker{0};
 
 /// The result of SilhouetteService::take().

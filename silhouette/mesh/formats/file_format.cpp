@@ -104,9 +104,9 @@ KnownFile::KnownFile(SourceFile source, const std::string& extension)
 KnownFile known_bytes(const std::string& name, std::string bytes, const std::string& extension) {
     KnownFile known(SourceFile{name, std::move(bytes), {}, 0}, extension);
     const std::string_view found = extension_of(known.format);
-    if (found != (extension == ".pts" ? ".xyz" : extension))
-        bad_file(name, "its content is " + std::string(found.substr(1)) + ", not " +
-                           extension.substr(std::min<std::size_t>(extension.size(), 1)));
+    if (!extension.empty() && found != (extension == ".pts" ? ".xyz" : extension))
+        bad_file(name,
+                 "its content is " + std::string(found.substr(1)) + ", not " + extension.substr(1));
     return known;
 }
 

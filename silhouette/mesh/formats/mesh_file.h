@@ -46,6 +46,7 @@ MeshSource read_mesh_file(const std::filesystem::path& path,
 
 /// The same for the bytes of a file, as of a pipe. `name` stands for the path in messages, and `extension`, with its
 /// point and in lower case (".ply"), for the ending of its name; Error{bad_input} if the content is of another format.
+/// Empty: the content alone decides.
 /// Files that it refers to are looked for in the working folder.
 MeshSource read_mesh_bytes(std::string name, std::string bytes, const std::string& extension,
                            FaceRequirement requirement = FaceRequirement::faces,

@@ -1,5 +1,4 @@
-// The points of a PLY. Reads x, y, z in double, nx, ny, nz and red, green, blue of the element
-// `vertex`.
+// The points of a PLY. Reads x, y, z in double, nx, ny, nz, red, green, blue and intensity of the element `vertex`.
 
 #include <array>
 
@@ -11,10 +10,11 @@ namespace rimline {
 namespace {
 
 // The properties that are read, in the order of a record.
-constexpr std::array<const char*, 9> k_names{"x",  "y",   "z",     "nx",  "ny",
-                                             "nz", "red", "green", "blue"};
+constexpr std::array<const char*, 10> k_names{"x",  "y",   "z",     "nx",   "ny",
+                                              "nz", "red", "green", "blue", "intensity"};
 constexpr std::size_t k_first_normal = 3;
 constexpr std::size_t k_first_color = 6;
+constexpr std::size_t k_intensity = 9;
 
 template <typename Body>
 class PlyPointReader {
@@ -54,6 +54,9 @@ private:
             if (count == 3)
                 for (std::size_t i = 0; i < 3; ++i) slots[found[i]] = static_cast<int>(first + i);
         }
+        if (const auto p = element.find(k_names[k_intensity]);
+            p && !element.properties[*p].is_list())
+            slots[*p] = static_cast<int>(k_intensity);
         return slots;
     }
 
@@ -62,10 +65,15 @@ private:
         std::array<float, 3> color_scales{};
         bool has_normals = false;
         bool has_colors = false;
+        bool has_intensities = false;
         for (std::size_t p = 0; p < slots.size(); ++p) {
             if (slots[p] < static_cast<int>(k_first_normal)) continue;
             if (slots[p] < static_cast<int>(k_first_color)) {
                 has_normals = true;
+                continue;
+            }
+            if (slots[p] == static_cast<int>(k_intensity)) {
+                has_intensities = true;
                 continue;
             }
             has_colors = true;
@@ -75,6 +83,7 @@ private:
         source.positions.reserve(element.count);
         if (has_normals) source.normals.reserve(element.count);
         if (has_colors) source.colors.reserve(element.count);
+        if (has_intensities) source.intensities.reserve(element.count);
         Body& body = elements_.body;
         std::array<double, k_names.size()> record{};
         for (std::uint64_t i = 0; i < element.count; ++i) {
@@ -93,6 +102,8 @@ private:
                 body.fail_element(why);
             source.positions.push_back(position);
             if (has_normals) source.normals.push_back(glm::dvec3(record[3], record[4], record[5]));
+            if (has_intensities)
+                source.intensities.push_back(static_cast<float>(record[k_intensity]));
             if (has_colors) {
                 PointColor color;
                 for (std::size_t c = 0; c < 3; ++c)

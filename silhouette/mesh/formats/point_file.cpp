@@ -50,10 +50,11 @@ std::string refusal(std::uint64_t number, const glm::dvec3& position, BadPoints 
     if (is_finite(position) && largest <= static_cast<double>(k_max_coordinate)) return {};
     if (!is_finite(position) && bad == BadPoints::keep) return {};
     char text[128];
-    std::snprintf(text, sizeof text, " is %g %g %g", position.x, position.y, position.z);
+    std::snprintf(text, sizeof text, " is %.9g %.9g %.9g", position.x, position.y, position.z);
     return "point " + std::to_string(number) + text +
-           (is_finite(position) ? ", beyond 2^60 in size; scale the cloud down"
-                                : "; only finite points can be used, others can be dropped");
+           (is_finite(position)
+                ? ", beyond 2^60 in size: scale the cloud down, or take out points without a value"
+                : "; only finite points can be used, others can be dropped");
 }
 
 std::uint8_t color_byte(float value) noexcept {

@@ -4,8 +4,8 @@
 // OFF, glTF and GLB in float as mesh_file.h. It is as strict as mesh_file.h: a file gives exactly its
 // content, or an Error that names the file and the line or byte.
 //
-//   PLY   x y z; nx ny nz; red green blue, as integers or as numbers in [0, 1]. All other properties
-//         are skipped.
+//   PLY   x y z; nx ny nz; red green blue, as integers or as numbers in [0, 1]; intensity. All other
+//         properties are skipped.
 //   OBJ   `v x y z [r g b]`, with colors in [0, 1], or in [0, 255] if one is above 1. `vn` are normals
 //         of corners. They are used as normals of the points if there are as many as vertices and every
 //         face corner has equal vertex and normal indices. Otherwise they are ignored.

@@ -214,7 +214,8 @@ TEST_CASE("a mask counted on the CPU equals the queries on every model whichever
     });
 }
 
-TEST_CASE("ratios by rays are those of pictures, but for rounding at corners") {
+TEST_CASE("ratios by rays are those of pictures but for rounding at corners" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     for_each_model([&](const Model& model, const std::string&) {
         const RayRatios rays(model.octree);

@@ -48,3 +48,9 @@ def test_a_model_that_is_small_in_the_picture_has_a_light():
         far = write_two_boxes(os.path.join(folder, "far.obj"), 1000)
         assert "no face is in the picture from --eye" in fail(1, "light", far, "--eye", "500.5,0.5,3")
         assert run("light", far, "--eye", "500.5,0.5,3", "--by-votes").returncode == 0
+
+
+def test_light_says_which_up_it_took():
+    said = succeed("light", "shape:knot:2000", "--eye", "3,2,4", "--up", "z")
+    assert said["up"] == [0, 0, 1] and said["up_from"] == "option"
+    assert succeed("light", "shape:knot:2000", "--eye", "3,2,4")["up"] == [0, 1, 0]

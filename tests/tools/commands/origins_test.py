@@ -33,3 +33,17 @@ def test_origins_counts_both_lists_of_the_thesis():
     assert complete["missed_edges"] == straddling["missed_edges"] == 0 < letter["missed_edges"]
     shown = run(*arguments).stdout
     assert f"points_and_edges, sfo_from_all: {letter['listed_edges']} edges listed" in shown
+
+
+def test_a_model_without_planes_has_no_origins_and_no_field():
+    with tempfile.TemporaryDirectory() as folder:
+        flat = os.path.join(folder, "flat.obj")
+        with open(flat, "w") as file:
+            file.write("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")
+        for command in (["origins"], ["field", "--at", "0,0,0"], ["views", "--no-ratio"]):
+            assert "no face has a plane" in fail(1, command[0], flat, *command[1:]), command
+    chosen = succeed("origins", "shape:box")
+    assert chosen["votes"] == [None] and "the center" in run("origins", "shape:box").stdout
+    for option in ("--direction", "--up"):
+        assert option + ": there is no picture" in fail(2, "origins", "shape:box", option, "0,0,1")
+    assert "--resolution: belongs to --slice" in fail(2, "field", "shape:box", "--at", "0,0,0", "--resolution", "64")

@@ -3,7 +3,7 @@ import math
 import os
 import tempfile
 
-from program import SMALL, check_views, have_device, png_size, succeed
+from program import SMALL, check_views, fail, have_device, png_size, succeed
 
 
 def test_a_path_passes_its_views_and_keeps_its_distance():
@@ -22,6 +22,12 @@ def test_a_path_passes_its_views_and_keeps_its_distance():
     assert result["min_distance"] >= (3 ** 0.5 - 1e-9) * result["radius"]
     steps = [math.dist(a, b) for a, b in zip(result["samples"], result["samples"][1:] + result["samples"][:1])]
     assert max(steps) <= 1.01 * result["length"] / 24
+
+
+def test_options_of_pictures_belong_to_a_path_with_pictures():
+    for options in (["--style", "toon"], ["--ground"], ["--sun", "auto"], ["--light-follow"], ["--size", "64x48"], ["--fps", "24"]):
+        message = fail(2, "path", "shape:knot:2000", "--no-ratio", *options)
+        assert f"{options[0]}: there are no pictures" in message, message
 
 
 def test_a_path_is_drawn_through_animate():

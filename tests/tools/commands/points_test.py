@@ -104,7 +104,7 @@ def test_points_of_hardly_any_cloud_are_undecided_with_a_reason():
             check_points(found)
             assert found["labels"]["undecided"] == found["points"] and found["silhouette"] == []
         open(path, "w").write("nan 1 2\n")
-        assert succeed("points", path, "--drop-bad")["points"] == 0
+        assert "none of its 1 points is finite" in fail(1, "points", path, "--drop-bad")
 
 
 def test_points_are_exported_with_normals_labels_and_weights():
@@ -278,3 +278,61 @@ def test_points_of_a_coarse_cloud_are_dots_and_of_a_dense_one_discs():
         assert coarse == drawn("shape:torus:1000", "--look", "dots") and inked(coarse) < 0.5 * inked(discs)
         assert dense == drawn("shape:torus:12000", "--look", "discs")
     fail(2, "points", "shape:torus:1000", "--as-points", "--look", "plates")
+
+
+def write_points(path, points):
+    with open(path, "w") as file:
+        file.writelines("%r %r %r\n" % tuple(p) for p in points)
+
+
+def sphere_points(count):
+    """Evenly on the unit sphere, as a spiral."""
+    turn = math.pi * (3 - math.sqrt(5))
+    for i in range(count):
+        z = 1 - (2 * i + 1) / count
+        yield math.sqrt(1 - z * z) * math.cos(i * turn), math.sqrt(1 - z * z) * math.sin(i * turn), z
+
+
+def test_points_warn_where_far_ones_cost_the_others_their_shape():
+    with tempfile.TemporaryDirectory() as folder:
+        cloud = os.path.join(folder, "cloud.xyz")
+        for distance, warns in ((1e3, False), (1e7, True)):
+            corners = ((0, 0, 0), (0.1, 0, 0), (0, 0.1, 0), (0.1, 0.1, 0))
+            far = [[distance + x for x in corner] for corner in corners]
+            write_points(cloud, [*sphere_points(3000), *far])
+            result = run("points", cloud, "--from", "30,0,0")
+            assert result.returncode == 0, result.stderr
+            assert ("leave out what lies far away" in result.stderr) == warns, (distance, result.stderr)
+
+
+def test_points_keep_what_they_read():
+    with tempfile.TemporaryDirectory() as folder:
+        cloud, labels, again = (os.path.join(folder, name) for name in ("cloud.xyz", "a.ply", "b.ply"))
+        with open(cloud, "w") as file:
+            file.writelines("%r %r %r %r\n" % (*p, 100 * i) for i, p in enumerate(sphere_points(400)))
+        succeed("points", cloud, "--export", labels)
+        told = succeed("info", labels)["cloud"]
+        assert told["has_intensities"] and told["has_normals"]
+        succeed("points", labels, "--export", again)
+        with open(labels, "rb") as a, open(again, "rb") as b:
+            # Normals are turned as the file's: all else is as before.
+            assert len(a.read()) == len(b.read())
+        with open(cloud) as file:
+            result = run("info", "-", "--format", "xyz", "--json", stdin=file)
+        assert result.returncode == 0 and json.loads(result.stdout)["cloud"]["points"] == 400, result.stderr
+
+
+def test_points_refuse_options_without_an_effect():
+    with tempfile.TemporaryDirectory() as folder:
+        cloud, bad = os.path.join(folder, "cloud.xyz"), os.path.join(folder, "bad.xyz")
+        write_points(cloud, sphere_points(200))
+        assert "--subdivide: it has no faces" in fail(1, "points", cloud, "--subdivide", "1")
+        assert "--subdivide: it has no faces" in fail(1, "info", cloud, "--subdivide", "1")
+        for options in (["--target", "0,0,0"], ["--fov", "20"], ["--mode", "compare"], ["--look", "dots"], ["--size", "9x9"],
+                        ["--background", "red"], ["--device", "cpu"], ["--validate"]):
+            assert options[0] + ": there is no picture" in fail(2, "points", cloud, *options), options
+        assert "--step: belongs to --turn" in fail(2, "points", cloud, "--step", "3")
+        assert succeed("points", cloud)["method"] == "robust" and succeed("points", cloud, "--omega", "20")["method"] == "thesis"
+        with open(bad, "w") as file:
+            file.write("nan 0 0\n0 inf 0\n")
+        assert "none of its 2 points is finite" in fail(1, "points", bad, "--drop-bad")

@@ -319,7 +319,7 @@ def test_render_draws_the_silhouette_of_another_point():
         for option, seen_from in (("--silhouette-from", ("--from", "0.5,-4,1.5")),
                                   ("--silhouette-direction", ("--direction", "0.5,-4,1.5"))):
             drawn = succeed("render", "shape:knot:3000", "-o", output, "--size", "160x120", *camera, option, seen_from[1])
-            edges = succeed("silhouette", "shape:knot:3000", *seen_from)["edges"]
+            edges = len(succeed("silhouette", "shape:knot:3000", *seen_from)["edges"])
             assert drawn["silhouette"] == edges > 0 and drawn["creases"] == 0, (drawn, edges)
             counts.append(edges)
             pictures.append(png_rows(output))
@@ -328,7 +328,7 @@ def test_render_draws_the_silhouette_of_another_point():
         # What the lines of two viewers share is little; the surfaces are the same.
         for picture in pictures:
             changed = sum(a != b for row, other in zip(picture, png_rows(output)) for a, b in zip(row, other))
-            assert 0.01 < changed / (160 * 120) < 0.2, changed
+            assert 0.01 < changed / (160 * 120) < 0.3, changed
         os.remove(output)
         for options, words in ((["--silhouette-from", "1,0,0", "--silhouette-direction", "1,0,0"], "excludes"),
                                (["--silhouette-from", "0,0,0"], "--silhouette-from is the model's center"),

@@ -1,4 +1,5 @@
 """rimline views."""
+import math
 import os
 import signal
 import subprocess
@@ -98,3 +99,29 @@ def test_views_leave_nothing_behind_when_they_fail():
         assert process.returncode == -signal.SIGINT, (process.returncode, err)
         assert out == "" and err == "rimline: error: cancelled\n", (out, err)
         assert os.listdir(folder) == []
+
+
+def test_views_of_a_long_model_are_not_those_of_its_end():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "pencil.obj")
+        corners = [(math.cos(i * math.pi / 12), math.sin(i * math.pi / 12)) for i in range(24)]
+        with open(path, "w") as file:
+            for y in (-15, 15):
+                file.writelines(f"v {x} {y} {z}\n" for x, z in corners)
+            file.writelines(f"f {i + 1} {i + 25} {(i + 1) % 24 + 25} {(i + 1) % 24 + 1}\n" for i in range(24))
+            file.write("f " + " ".join(str(i + 1) for i in range(24)) + "\n")
+            file.write("f " + " ".join(str(48 - i) for i in range(24)) + "\n")
+        def shares(*options):
+            """How much of the length is seen in each view: the sine of the angle to the axis."""
+            eyes = [view["eye"] for view in succeed("views", path, "-k", "3", "--no-ratio", *options)["views"]]
+            return [math.hypot(x, z) / math.hypot(x, y, z) for x, y, z in eyes]
+        assert min(shares()) > 0.3, shares()
+        assert min(shares("--below", "full")) < 0.1
+
+
+def test_views_are_written_into_a_folder():
+    for name in ("-", ""):
+        assert "folder" in fail(2, "views", "shape:box", "-o", name)
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "views.png")
+        assert "not of a PNG file" in fail(2, "views", "shape:box", "-o", path) and not os.path.exists(path)

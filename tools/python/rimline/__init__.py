@@ -268,8 +268,8 @@ def best_views(
     """The viewpoints that together show a mesh best, the best one first.
 
     visible: weigh votes by the visible share of the silhouette, which is drawn by `renderer` or on the default device.
-    below: 'less', views from below and behind count less; 'full', they do not. by_area: planes count by the areas of
-    their faces. count: 1 to 64; there are fewer views where no other shows more.
+    below: 'less', views from below, from behind and of the ends of long meshes count less; 'full', they do not.
+    by_area: planes count by the areas of their faces. count: 1 to 64; there are fewer views where no other shows more.
     """
     if visible and renderer is None:
         renderer = _renderer()
