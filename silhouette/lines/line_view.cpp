@@ -17,7 +17,7 @@ constexpr glm::dvec3 k_shift_direction{0.6180339887, 0.7548776662, 0.2193};
 // Steps of a float by which the point is at least shifted, and the greatest shift for their sake, as a share of the
 // distance.
 constexpr double k_shift_steps = 4.0;
-constexpr double k_max_shift = 0x1p-12;
+constexpr double k_max_shift = 0x1p-16;
 
 double largest_of(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});

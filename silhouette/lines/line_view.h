@@ -8,7 +8,7 @@
 // Lines are decided from a point beside the eye, about a thousandth of a pixel away (k_shift). In a view along
 // an axis of a machine part many things coincide in the picture, and their order would not be defined. From
 // the point beside it is. The silhouette must be found from that point too: point(). Its coordinates are floats: an eye
-// at more than a few of its distances from the origin is shifted by four steps of a float, up to a quarter of a pixel.
+// at more than a few of its distances from the origin is shifted by four steps of a float, up to a fortieth of a pixel.
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
