@@ -56,7 +56,7 @@ struct BestViewsOptions {
     std::uint32_t count = 4;
     VisibleRatios visible_ratios;  ///< Empty: votes only.
     /// Candidates to measure are the peaks of the votes and every `stride`-th sample of the lattice along
-    /// each axis. 2 gives the same scores as 1 with a quarter of the candidates.
+    /// each axis; not 0. 2 gives the same scores as 1 with a quarter of the candidates.
     std::uint32_t stride = 2;
     /// With `up`, the score of a view is multiplied by view_preference(): people seldom look at things from below or
     /// behind.

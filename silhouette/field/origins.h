@@ -40,7 +40,8 @@ struct OriginSet {
 };
 
 /// Returns fewer than `count` origins if no plane has votes left. For a box, for example, the center gets
-/// all votes. Returns the center with 0 votes if there is no other origin.
+/// all votes. Returns the center with 0 votes if there is no other origin. Throws Error{too_large} if origins around the
+/// mesh exceed the range of coordinates, and Error{cancelled}.
 OriginSet find_origins(const Mesh& mesh, std::uint32_t count, const OriginOptions& options = {},
                        const LongCall& call = {});
 
@@ -52,7 +53,7 @@ struct OriginTrial {
     double work = 0.0;       ///< box_checks + 2 edge_checks, mean.
 };
 
-/// `origins` as in HoughOctreeOptions. Empty: the center. Measures `viewpoints` extractions.
+/// `origins` as in HoughOctreeOptions. Empty: the center. Measures `viewpoints` extractions; not 0.
 OriginTrial try_origins(const Mesh& mesh, std::vector<glm::dvec3> origins, std::uint32_t viewpoints,
                         const LongCall& call = {});
 
@@ -62,7 +63,7 @@ struct ChosenOrigins {
     std::uint32_t best = 0;           ///< The first trial with the least work.
 };
 
-/// Tries 0 to `max_count` origins.
+/// Tries 0 to `max_count` origins, which is not 0, by `viewpoints` extractions each; not 0.
 ChosenOrigins choose_origins(const Mesh& mesh, std::uint32_t max_count = 5,
                              std::uint32_t viewpoints = 600, const OriginOptions& options = {},
                              const LongCall& call = {});

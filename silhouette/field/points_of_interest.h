@@ -66,15 +66,15 @@ using Weigh = std::function<std::vector<double>(std::span<const glm::dvec3>)>;
 
 struct InterestOptions {
     std::uint32_t count = 1;          ///< Number of points.
-    std::uint32_t lattice = 17;       ///< Samples along each axis, 2 or more.
-    double tolerance = 1e-3;          ///< Tolerance of positions, in unit coordinates.
-    std::uint32_t climbs = 8;         ///< Number of climbs, from the best samples.
+    std::uint32_t lattice = 17;       ///< Samples along each axis, 2 to 1024.
+    double tolerance = 1e-3;          ///< Tolerance of positions, in unit coordinates; not 0.
+    std::uint32_t climbs = 8;         ///< Number of climbs, from the best samples; not 0.
     Weigh weigh;                      ///< Empty: all weights are 1.
     Weigh bound;                      ///< Upper bounds of weights; cheap. Empty: 1.
-    double weighed_tolerance = 0.05;  ///< Tolerance of positions with weights.
-    /// With weights, every `weighed_stride`-th lattice sample along each axis is a candidate.
+    double weighed_tolerance = 0.05;  ///< Tolerance of positions with weights; not 0.
+    /// With weights, every `weighed_stride`-th lattice sample along each axis is a candidate; not 0.
     std::uint32_t weighed_stride = 1;
-    std::uint32_t weigh_batch = 16;  ///< Maximum number of points per call of `weigh`.
+    std::uint32_t weigh_batch = 16;  ///< Maximum number of points per call of `weigh`; not 0.
     std::optional<int> mirror_axis;  ///< Of the mirror through the center that keeps the mesh.
     /// Of the first point, with weights, in a shell. Takes some hundred weights more.
     bool steady = false;

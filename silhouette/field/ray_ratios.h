@@ -23,8 +23,8 @@ class RayRatios {
 public:
     /// As VisibleRatioOptions of the engine.
     struct Options {
-        std::uint32_t side_px = 256;
-        double fov_deg = 70.6;
+        std::uint32_t side_px = 256;  ///< Not 0.
+        double fov_deg = 70.6;        ///< Between 0 and 180.
         bool has_borders = true;
     };
 

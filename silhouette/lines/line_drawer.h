@@ -28,6 +28,7 @@ public:
     LineDrawer& operator=(LineDrawer&&) noexcept;
 
     /// `silhouette`: the silhouette from view.point(), by a tracker, an octree or brute force, in any order.
+    /// Lengths do not depend on the order; which chains lines form, and the order of these, may.
     /// The drawing is valid until the next call. Ids of chains are their indices. What is nearer to a perspective eye
     /// than 1e-5 radii of the mesh, in depth, is not drawn and hides nothing.
     /// O(lines · degree + crossings + components · log faces + faces): the last is one comparison a face.

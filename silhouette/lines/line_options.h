@@ -29,8 +29,9 @@ struct LineOptions {
     double simplify = 0.0;  ///< Points are left out where the line moves by at most this.
     /// Runs end where LineRun::hidden_by changes, not only where visibility does.
     bool splits_counts = false;
-    bool keeps_coincident =
-        false;  ///< Lines that coincide in the picture are drawn more than once.
+    /// Lines that coincide in the picture are drawn more than once. Those count as coinciding that are within what the
+    /// shift of the eye (LineView::shift()) moves them: about four millionths of the mesh's radius.
+    bool keeps_coincident = false;
 };
 
 }  // namespace rimline

@@ -99,7 +99,7 @@ public:
     std::uint32_t degenerate_face_count() const noexcept { return degenerate_face_count_; }
     /// The number of sets of faces connected by edges.
     std::uint32_t component_count() const noexcept { return component_count_; }
-    /// Whether every edge has an even number of faces, and there is a face.
+    /// Whether every edge has an even number of faces, and there is an edge.
     bool is_closed() const noexcept { return closed_; }
     /// Whether no edge is inconsistent.
     bool is_oriented() const noexcept;

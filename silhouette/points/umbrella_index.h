@@ -54,8 +54,8 @@ public:
 
     /// Patches are stored around the origin with a size near 1, in float. Coordinates far from zero lose no
     /// precision; points nearer to each other than 2^-20 of the whole do. These two functions transform
-    /// points and directions to there. A point must be finite. Beyond 2^20 sizes it is moved nearer, to that
-    /// distance.
+    /// points and directions to there. A point must be finite. One with a coordinate beyond 2^20
+    /// sizes is moved nearer, until it has none.
     HomogeneousPoint viewpoint(const glm::dvec3& point) const noexcept;
     HomogeneousPoint direction(const glm::dvec3& direction) const noexcept;
     /// Transforms a position as viewpoint() does.
