@@ -10,18 +10,15 @@
 #include <utility>
 #include <vector>
 
-#include "silhouette/field/projected_share.h"
+#include "silhouette/field/front_area.h"
 #include "silhouette/mesh/ground_axes.h"
 #include "silhouette/mesh/upright.h"
-#include "silhouette/mesh/winding.h"
 
 namespace rimline {
 
 TangentialField make_view_field(const Mesh& mesh, const FieldOptions& options,
                                 const TangentialFunction& function, const std::stop_token& stop) {
-    const UnitPlanes planes =
-        is_inside_out(mesh) ? UnitPlanes(turned_inside_out(mesh), stop) : UnitPlanes(mesh, stop);
-    return TangentialField(planes, function, options, stop);
+    return TangentialField(outward_planes(mesh, stop), function, options, stop);
 }
 
 namespace {
@@ -87,9 +84,9 @@ double view_preference(const glm::dvec3& direction, const glm::dvec3& up) {
            (1.0 - (1.0 - k_least_behind) * 0.5 * (1.0 - likeness));
 }
 
-double size_preference(double projected_share) {
-    constexpr double k_enough = 0.4;
-    const double share = std::min(projected_share / k_enough, 1.0);
+double area_preference(double front_share) {
+    constexpr double k_enough = 0.8;
+    const double share = std::min(front_share / k_enough, 1.0);
     return (share * share) * (share * share);
 }
 
@@ -113,13 +110,13 @@ BestViews find_best_views(const TangentialField& field, const BestViewsOptions& 
     interest.count = options.count;
     interest.weighs_all = options.draws_all;
     interest.steady = options.for_people;
-    std::optional<ProjectedShare> projected_share;
-    if (options.mesh) projected_share.emplace(*options.mesh);
+    std::optional<FrontArea> front;
+    if (options.mesh) front.emplace(*options.mesh, call.stop);
     const auto preference = [&](const glm::dvec3& point) {
         return (options.up ? view_preference(point, *options.up) : 1.0) *
-               (projected_share ? size_preference((*projected_share)(point)) : 1.0);
+               (front ? area_preference(front->share(point)) : 1.0);
     };
-    const bool prefers = options.up || projected_share;
+    const bool prefers = options.up || front;
     // Where a view is drawn, its preference is known before.
     if (options.visible_ratios && prefers)
         interest.bound = [&](std::span<const glm::dvec3> points) {

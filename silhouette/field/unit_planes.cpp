@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "silhouette/error.h"
+#include "silhouette/mesh/winding.h"
 
 namespace rimline {
 
@@ -42,6 +43,10 @@ void UnitPlanes::add(const Mesh& mesh, FaceId face) {
     offsets_.push_back(glm::dot(normal, a));
     areas_.push_back(0.5 * glm::length(glm::cross(corner(1) - a, corner(2) - a)));
     faces_.push_back(face);
+}
+
+UnitPlanes outward_planes(const Mesh& mesh, const std::stop_token& stop) {
+    return is_inside_out(mesh) ? UnitPlanes(turned_inside_out(mesh), stop) : UnitPlanes(mesh, stop);
 }
 
 }  // namespace rimline

@@ -65,4 +65,7 @@ private:
     std::vector<FaceId> faces_;
 };
 
+/// The planes of a mesh with their fronts outwards: those of a closed inside-out mesh (winding.h) are reversed.
+UnitPlanes outward_planes(const Mesh& mesh, const std::stop_token& stop = {});
+
 }  // namespace rimline
