@@ -1,6 +1,7 @@
 #include "silhouette/hough/silhouette_record.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "silhouette/hough/face_links.h"
 #include "silhouette/hough/reserved_bytes.h"
@@ -40,13 +41,15 @@ SilhouetteRecord::SilhouetteRecord(const Mesh& mesh, const HomogeneousPoint& poi
     word_writes_.resize(face_words_.size() + 1);
     word_flips_.assign(face_words_.size(), 0);
     slot_is_kept_.assign(edge_count, 0);
+    last_examined_.assign(mesh.edges_of_class(EdgeClass::nonmanifold).size(), 0);
     changes_.point = point;
     changes_.silhouette_size = slot_count_;
 }
 
 std::uint64_t SilhouetteRecord::size_bytes() const noexcept {
     return reserved_bytes(face_words_, slots_, slot_of_, flipped_, added_, removed_, removed_slots_,
-                          slot_writes_, word_writes_, toggled_, word_flips_, slot_is_kept_);
+                          slot_writes_, word_writes_, toggled_, word_flips_, slot_is_kept_,
+                          last_examined_);
 }
 
 void SilhouetteRecord::begin_move() noexcept {
@@ -109,12 +112,14 @@ inline void SilhouetteRecord::leave(EdgeId edge) noexcept {
     slots_[slot] = k_no_edge;
 }
 
-// An edge that is visited again, from another flipped face, has joined or left already.
+// Each edge once, whichever of its faces flipped: to look at it is to look at all of them.
 void SilhouetteRecord::reexamine_nonmanifold() noexcept {
     const Mesh::EdgeRange range = mesh_->edges_of_class(EdgeClass::nonmanifold);
+    const std::uint64_t move = changes_.sequence + 1;
     for (const FaceId face : std::span(flipped_).first(flipped_count_)) {
         for (const EdgeId edge : mesh_->edges_of(face)) {
             if (index(edge) < range.first || index(edge) >= range.last) continue;
+            if (std::exchange(last_examined_[index(edge) - range.first], move) == move) continue;
             const bool was_on = is_on(edge);
             if (was_on == is_on_silhouette(*mesh_, edge, face_words_)) continue;
             was_on ? leave(edge) : join(edge);

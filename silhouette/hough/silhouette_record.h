@@ -86,8 +86,9 @@ private:
     std::uint32_t word_count_ = 0;
 
     std::vector<std::uint32_t> toggled_;
-    std::vector<std::uint32_t> word_flips_;   // By word; all zero between moves.
-    std::vector<std::uint8_t> slot_is_kept_;  // By slot; all zero between moves.
+    std::vector<std::uint32_t> word_flips_;     // By word; all zero between moves.
+    std::vector<std::uint8_t> slot_is_kept_;    // By slot; all zero between moves.
+    std::vector<std::uint64_t> last_examined_;  // By non-manifold edge: the number of the move.
 };
 
 }  // namespace rimline

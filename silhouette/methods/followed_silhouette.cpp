@@ -1,5 +1,7 @@
 #include "silhouette/methods/followed_silhouette.h"
 
+#include <utility>
+
 namespace rimline {
 
 FollowedSilhouette::FollowedSilhouette(const Mesh& mesh) : mesh_(&mesh) {}
@@ -18,6 +20,8 @@ void FollowedSilhouette::start(std::span<const std::uint32_t> face_words,
     face_words_.assign(face_words.begin(), face_words.end());
     // Borders come last and never join.
     slot_of_.assign(mesh_->edges_of_class(EdgeClass::border).first, k_no_slot);
+    last_examined_.assign(mesh_->edges_of_class(EdgeClass::nonmanifold).size(), 0);
+    updates_ = 0;
     edges_.clear();
     for (const EdgeId edge : edges) join(edge);
     started_ = true;
@@ -35,10 +39,17 @@ bool FollowedSilhouette::set_bit(FaceId face, bool is_front) noexcept {
 }
 
 std::uint64_t FollowedSilhouette::update_edges(std::span<const FaceId> turned) {
+    const Mesh::EdgeRange nonmanifold = mesh_->edges_of_class(EdgeClass::nonmanifold);
+    ++updates_;
     std::uint64_t examined = 0;
     for (const FaceId face : turned) {
         for (const EdgeId edge : mesh_->edges_of(face)) {
             if (index(edge) >= slot_of_.size()) continue;  // A border, or none.
+            // To look at a non-manifold edge is to look at all its faces.
+            if (index(edge) >= nonmanifold.first && index(edge) < nonmanifold.last &&
+                std::exchange(last_examined_[index(edge) - nonmanifold.first], updates_) ==
+                    updates_)
+                continue;
             ++examined;
             const bool was = slot_of_[index(edge)] != k_no_slot;
             const bool is = is_on_silhouette(*mesh_, edge, face_words_);

@@ -50,7 +50,9 @@ private:
     bool started_ = false;
     std::vector<std::uint32_t> face_words_;
     std::vector<EdgeId> edges_;
-    std::vector<std::uint32_t> slot_of_;  // The position in edges_ of each edge but borders.
+    std::vector<std::uint32_t> slot_of_;        // The position in edges_ of each edge but borders.
+    std::vector<std::uint64_t> last_examined_;  // By non-manifold edge: the number of the update.
+    std::uint64_t updates_ = 0;
 };
 
 }  // namespace rimline
