@@ -194,6 +194,7 @@ void InstanceStates::announce(const Scene& scene) noexcept {
 
 void InstanceStates::invalidate() noexcept {
     for (InstanceState& state : instances_) {
+        if (state.deforming) state.deforming->invalidate();
         if (state.camera) state.camera->invalidate();
         for (const auto& light : state.lights)
             if (light) light->invalidate();

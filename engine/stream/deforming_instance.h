@@ -114,6 +114,12 @@ public:
         return last;
     }
 
+    /// A frame that was to compute the silhouettes did not run: the next one counts as their first.
+    void invalidate() noexcept {
+        camera_.was_computed = false;
+        for (Found& light : lights_) light.was_computed = false;
+    }
+
     const DeformingMesh& mesh() const noexcept { return mesh_; }
 
 private:

@@ -291,6 +291,33 @@ TEST_CASE("instances come, deform, rest and go without a trace of each other") {
     CHECK(renderer.report().silhouette + renderer.report().shadow_edges == 0);
 }
 
+TEST_CASE("changes of a mesh that deforms count from the first frame that ran") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Stage stage(make_built_in_shape("knot", 3000));
+    Scene alone = stage.scene(Style::ink);
+    alone.shadows = false;
+    deform(alone, stage.model.mesh, default_wave(stage.model.mesh, {0, 1, 0}, 0.4));
+    Scene both = alone;
+    both.instances[1].has_lines = true;
+    alone.instances.pop_back();
+
+    Renderer probe(gpu->context(), {.samples = 1, .scale = 1});
+    probe.render(alone, k_side, k_side);
+    const std::uint64_t enough = probe.stream_bytes();
+    probe.render(both, k_side, k_side);
+    const std::uint64_t too_little = probe.stream_bytes() - 1;
+    REQUIRE(enough < too_little);
+
+    Renderer renderer(gpu->context(),
+                      {.samples = 1, .scale = 1, .stream_memory_bytes = too_little});
+    CHECK_THROWS_AS(renderer.render(both, k_side, k_side), Error);
+    renderer.render(alone, k_side, k_side);
+    CHECK(renderer.report().camera.edges > 0);
+    CHECK(renderer.report().camera.flips == 0);
+    CHECK(renderer.report().camera.added == 0);
+    CHECK(renderer.report().camera.removed == 0);
+}
+
 TEST_CASE("a mesh without faces that deforms draws nothing") {
     RIMLINE_OPEN_GPU(gpu);
     const Stage stage(MeshSource{});
