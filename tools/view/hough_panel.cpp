@@ -139,8 +139,12 @@ void legend(ImU32 color, const char* text) {
 void HoughPanel::draw(const HoughInspection& inspection, float x, float y, float width,
                       float height) {
     if (!open) return;
-    ImGui::SetNextWindowPos({x, y}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize({width, height}, ImGuiCond_FirstUseEver);
+    // The user may move it, until the main window has another size.
+    const std::array<float, 4> place{x, y, width, height};
+    const ImGuiCond when =
+        std::exchange(place_, place) == place ? ImGuiCond_FirstUseEver : ImGuiCond_Always;
+    ImGui::SetNextWindowPos({x, y}, when);
+    ImGui::SetNextWindowSize({width, height}, when);
     if (!ImGui::Begin("Hough space", &open, ImGuiWindowFlags_NoCollapse)) {
         ImGui::End();
         return;

@@ -17,13 +17,11 @@ constexpr double k_min_step = 0.01;
 
 }  // namespace
 
-ModelLoader::~ModelLoader() { cancel(); }
-
 void ModelLoader::cancel() {
-    if (thread_.joinable()) {
-        thread_.request_stop();
-        thread_.join();
-    }
+    load_.thread.request_stop();
+    if (load_.thread.joinable()) cancelled_.push_back(std::move(load_));
+    load_ = {};
+    std::erase_if(cancelled_, [](const Load& load) { return load.has_ended->load(); });
     const std::lock_guard lock(mutex_);
     stage_.reset();
     result_.reset();
@@ -57,8 +55,12 @@ void ModelLoader::arrange(Arrangement arrangement) {
 void ModelLoader::start(std::string name, Work work) {
     cancel();
     stage_ = Stage{"opening " + name, 0.0};
-    thread_ = std::jthread([this, name = std::move(name), work = std::move(work)](
-                               std::stop_token stop) { load(std::move(stop), name, work); });
+    load_.has_ended = std::make_shared<std::atomic<bool>>(false);
+    load_.thread = std::jthread([this, has_ended = load_.has_ended, name = std::move(name),
+                                 work = std::move(work)](const std::stop_token& stop) {
+        load(stop, name, work);
+        has_ended->store(true);
+    });
 }
 
 std::optional<ModelLoader::Stage> ModelLoader::stage() const {
@@ -71,16 +73,18 @@ std::optional<ModelLoader::Result> ModelLoader::take() {
     return std::exchange(result_, std::nullopt);
 }
 
-void ModelLoader::load(std::stop_token stop, const std::string& name, const Work& work) {
+// A load that was cancelled changes nothing any more: what it would change is another one's.
+void ModelLoader::load(const std::stop_token& stop, const std::string& name, const Work& work) {
     const auto begin = [&](const std::string& task) {
         {
             const std::lock_guard lock(mutex_);
-            stage_ = Stage{task, 0.0};
+            if (!stop.stop_requested()) stage_ = Stage{task, 0.0};
         }
         wake();
-        return LongCall{stop, [this](double share) {
+        return LongCall{stop, [this, stop](double share) {
                             {
                                 const std::lock_guard lock(mutex_);
+                                if (stop.stop_requested()) return;
                                 if (share < stage_->share + k_min_step) return;
                                 stage_->share = share;
                             }
@@ -104,8 +108,9 @@ void ModelLoader::load(std::stop_token stop, const std::string& name, const Work
     }
     {
         const std::lock_guard lock(mutex_);
+        if (stop.stop_requested()) return;
         stage_.reset();
-        if (!stop.stop_requested()) result_ = std::move(result);
+        result_ = std::move(result);
     }
     wake();
 }

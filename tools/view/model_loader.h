@@ -6,6 +6,7 @@
 // Only one file is loaded at a time: open() cancels the load before it. The window's thread fetches the
 // result with take(). A failed load gives an error message and does not end the program.
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -24,7 +25,7 @@ public:
     /// `wake` is called on the loading thread whenever stage() or the result has changed.
     explicit ModelLoader(std::function<void()> wake = {}) : wake_(std::move(wake)) {}
     /// Cancels the load and waits for its end.
-    ~ModelLoader();
+    ~ModelLoader() { cancel(); }
     ModelLoader(const ModelLoader&) = delete;
     ModelLoader& operator=(const ModelLoader&) = delete;
 
@@ -34,7 +35,7 @@ public:
     void open(const std::string& name);
     /// The same for a scene of models that have been moved or added.
     void arrange(Arrangement arrangement);
-    /// Stops the load and waits for its end. Discards a result that was not taken.
+    /// Asks the load to stop and does not wait for it. Its result is discarded, as is one that was not taken.
     void cancel();
 
     struct Stage {
@@ -62,7 +63,7 @@ private:
     using Work = std::function<Result(const BeginCall&)>;
     // `name` begins messages that do not name what they are about.
     void start(std::string name, Work work);
-    void load(std::stop_token stop, const std::string& name, const Work& work);
+    void load(const std::stop_token& stop, const std::string& name, const Work& work);
     void wake() const {
         if (wake_) wake_();
     }
@@ -71,7 +72,13 @@ private:
     mutable std::mutex mutex_;  // Guards the two members below.
     std::optional<Stage> stage_;
     std::optional<Result> result_;
-    std::jthread thread_;  // Last: it is joined before the other members are destroyed.
+    // Last: they are joined before the other members are destroyed.
+    struct Load {
+        std::shared_ptr<std::atomic<bool>> has_ended;
+        std::jthread thread;
+    };
+    std::vector<Load> cancelled_;  // Some may still run.
+    Load load_;
 };
 
 }  // namespace rimline::tools

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "tools/output/output_file.h"
@@ -31,6 +32,10 @@ constexpr double k_idle_s = 0.5;
 double now_s() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
         .count();
+}
+
+void check_picture_name(const std::string& path) {
+    if (!path.ends_with(".png")) throw UsageError(path + ": the name of a picture ends in .png");
 }
 
 }  // namespace
@@ -173,19 +178,29 @@ void ViewLoop::apply_keys() {
     }
 }
 
+bool ViewLoop::may_write(const std::string& path) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored) || !may_replace_.insert(path).second) return true;
+    panel_.show_message(path + " exists: save again to replace it", true);
+    return false;
+}
+
 void ViewLoop::save(const PanelRequests::Save& save) {
     try {
+        check_picture_name(save.path);
         OutputFile file(save.path, session_.document().name());
         if (const ModelDocument* model = session_.document().model())
             for (const PlacedModel& placed : model->models())
                 if (is_same_file(save.path, placed.model))
                     throw UsageError(save.path +
                                      ": this is the model itself; name another file to write");
+        if (!may_write(save.path)) return;
         session_.round_to_options();
         const std::vector<std::byte> png = encode_png(
             renderer_.picture(session_.picture(save.size), save.size.width, save.size.height));
         file.write({reinterpret_cast<const char*>(png.data()), png.size()});
         file.commit();
+        may_replace_.insert(save.path);
         panel_.show_message("saved " + save.path, false);
     } catch (
         const std::runtime_error& error) {  // Error, or UsageError if the path is the model itself.
@@ -198,8 +213,10 @@ void ViewLoop::save_scene(const PanelRequests::Save& save) {
         if (!is_scene_file(save.path))
             throw UsageError(save.path + ": the name of a scene file ends in .json");
         OutputFile file(save.path);
+        if (!may_write(save.path)) return;
         file.write(scene_text(session_.written_scene(save.size), save.path));
         file.commit();
+        may_replace_.insert(save.path);
         panel_.show_message("saved " + save.path, false);
     } catch (const std::runtime_error& error) {
         panel_.show_message(error.what(), true);
@@ -238,6 +255,12 @@ void ViewLoop::move_along_path() {
 
 void ViewLoop::copy_command() {
     const PanelRequests::Save picture = panel_.picture_request();
+    try {
+        check_picture_name(picture.path);
+    } catch (const UsageError& error) {
+        panel_.show_message(error.what(), true);
+        return;
+    }
     glfwSetClipboardString(window_.handle(), session_.command(picture.size, picture.path).c_str());
     panel_.show_message("the command is in the clipboard", false);
 }
@@ -279,21 +302,23 @@ void ViewLoop::build_panel() {
         move_along_path();
         apply_keys();
     }
-    if (options_.panel && panel_.visible) {
-        draw_marks(session_, size, input_.light());
-        draw_axes(session_.camera, free_area());
+    if (options_.panel) {
         const auto gallery = gallery_.views();
-        panel_.draw(session_, input_, hough_,
-                    {.counters = counters_,
-                     .loading = loader_.stage(),
-                     .device = renderer_.device_facts().name,
-                     .recent = recent_.names(),
-                     .gallery = gallery,
-                     .has_path = gallery_.path().has_value(),
-                     .plays_path = played_.has_value(),
-                     .finds_views = gallery_.is_finding(),
-                     .scale = window_.content_scale()},
-                    requests_);
+        const ViewPanel::Status status{.counters = counters_,
+                                       .loading = loader_.stage(),
+                                       .device = renderer_.device_facts().name,
+                                       .recent = recent_.names(),
+                                       .gallery = gallery,
+                                       .has_path = gallery_.path().has_value(),
+                                       .plays_path = played_.has_value(),
+                                       .finds_views = gallery_.is_finding(),
+                                       .scale = window_.content_scale()};
+        if (panel_.visible) {
+            draw_marks(session_, size, input_.light());
+            draw_axes(session_.camera, free_area());
+            panel_.draw(session_, input_, hough_, status, requests_);
+        }
+        panel_.draw_messages(status, requests_);
     }
     if (options_.panel && hough_.open && !session_.is_cloud()) draw_hough_space();
     context_.end_frame();

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -75,6 +76,8 @@ private:
     void draw_hough_space();
     double hough_width() const;
     void execute(const PanelRequests& requests);
+    // Whether there is no such file, or it was written here, or the user has asked for it twice.
+    bool may_write(const std::string& path);
     void save(const PanelRequests::Save& save);
     void save_scene(const PanelRequests::Save& save);
     void fit();
@@ -109,6 +112,7 @@ private:
     Coarseness coarseness_;
     FreeArea last_area_;
     PanelRequests requests_;
+    std::set<std::string> may_replace_;  // Files, by the names that the user gave.
     Picture captured_;
     bool captures_next_ = false;
     bool is_moving_ = false;

@@ -57,11 +57,15 @@ int axis_of(const glm::dvec3& up) {
     return 6;
 }
 
-// The new color if the user changed it. Both colors are linear.
+// The new color if the user changed it, one that options and scene files can name. Both are linear.
 std::optional<glm::vec3> chosen_color(const char* name, const glm::vec3& linear) {
     glm::vec3 color = srgb_from_linear(linear);
     if (!ImGui::ColorEdit3(name, &color.x, ImGuiColorEditFlags_NoInputs)) return std::nullopt;
-    return linear_from_srgb(glm::clamp(color, 0.0f, 1.0f));
+    return linear_from_srgb(nearest_srgb(linear_from_srgb(glm::clamp(color, 0.0f, 1.0f))));
+}
+
+glm::vec3 linear_of(const PointColor& color) {
+    return linear_from_srgb(Color{color[0], color[1], color[2]});
 }
 
 void draw_paint(const ViewSession& session, PlacedModel& model) {
@@ -73,6 +77,13 @@ void draw_paint(const ViewSession& session, PlacedModel& model) {
     if (!model.paint) return;
     ImGui::SameLine();
     if (ImGui::Button("Own colors")) model.paint.reset();
+}
+
+void draw_loading(const ModelLoader::Stage& loading, PanelRequests& requests) {
+    ImGui::TextWrapped("%s", loading.task.c_str());
+    ImGui::ProgressBar(float(loading.share), {-0.3f * ImGui::GetWindowWidth(), 0.0f});
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel", {-1.0f, 0.0f})) requests.cancel = true;
 }
 
 void draw_cloud_counts(const PointSurface& surface) {
@@ -111,10 +122,7 @@ void ViewPanel::draw_model(const ViewSession& session, const Status& status,
         }
     }
     if (status.loading) {
-        ImGui::TextWrapped("%s", status.loading->task.c_str());
-        ImGui::ProgressBar(float(status.loading->share), {-0.3f * ImGui::GetWindowWidth(), 0.0f});
-        ImGui::SameLine();
-        if (ImGui::Button("Cancel", {-1.0f, 0.0f})) requests.cancel = true;
+        draw_loading(*status.loading, requests);
         return;
     }
     draw_choice(status, requests);
@@ -319,14 +327,15 @@ void ViewPanel::draw_colors(ViewSession& session) {
     if (const auto paper = chosen_color("paper", appearance.background))
         appearance.background = *paper;
     ImGui::SameLine();
-    const glm::vec3 surface =
-        session.is_cloud()
-            ? linear_from_srgb(Color{k_cloud_clay[0], k_cloud_clay[1], k_cloud_clay[2]})
-            : default_surface_color(appearance.style, appearance.background);
+    const glm::vec3 surface = session.is_cloud()
+                                  ? linear_of(k_cloud_clay)
+                                  : default_surface_color(appearance.style, appearance.background);
     if (const auto color = chosen_color("surface", appearance.color.value_or(surface)))
         appearance.color = color;
     ImGui::SameLine();
-    const glm::vec3 ink = default_palette(appearance.style, appearance.background).ink;
+    const glm::vec3 ink = session.is_cloud()
+                              ? linear_of(k_cloud_ink)
+                              : default_palette(appearance.style, appearance.background).ink;
     if (const auto color = chosen_color("ink", appearance.line_color.value_or(ink)))
         appearance.line_color = color;
     const ModelDocument* const model = session.document().model();
@@ -466,14 +475,6 @@ void ViewPanel::draw(ViewSession& session, ViewInput& input, HoughPanel& hough,
     ImGui::SetNextWindowPos({margin, margin}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, display.y - 2.0f * margin});
     ImGui::Begin("Rimline", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
-    if (!message.empty()) {
-        const ImVec4 color = message_is_error ? ImVec4(0.72f, 0.14f, 0.08f, 1.0f)
-                                              : ImVec4(0.16f, 0.42f, 0.24f, 1.0f);
-        ImGui::PushStyleColor(ImGuiCol_Text, color);
-        ImGui::TextWrapped("%s", message.c_str());
-        ImGui::PopStyleColor();
-        if (ImGui::SmallButton("Dismiss")) message.clear();
-    }
     if (section("Model")) draw_model(session, status, requests);
     if (!session.is_empty()) {
         if (section("View")) {
@@ -494,6 +495,36 @@ void ViewPanel::draw(ViewSession& session, ViewInput& input, HoughPanel& hough,
         if (section("Frame", false)) draw_counters(session, status);
     }
     ImGui::TextDisabled("Tab hides this");
+    ImGui::End();
+}
+
+void ViewPanel::draw_messages(const Status& status, PanelRequests& requests) {
+    const bool shows_loading = status.loading && !visible;
+    if (message.empty() && !shows_loading) return;
+    const float margin = 10.0f * status.scale;
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float left = (visible ? k_width * status.scale : 0.0f) + margin;
+    const float width = std::max(display.x - left - margin, 200.0f * status.scale);
+    ImGui::SetNextWindowPos({left, display.y - margin}, ImGuiCond_Always, {0.0f, 1.0f});
+    const float least = shows_loading ? std::min(width, k_width * status.scale) : 0.0f;
+    ImGui::SetNextWindowSizeConstraints({least, 0.0f}, {width, display.y});
+    ImGui::Begin("Messages", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                     ImGuiWindowFlags_NoNav);
+    if (shows_loading) draw_loading(*status.loading, requests);
+    if (!message.empty()) {
+        const ImVec4 color = message_is_error ? ImVec4(0.72f, 0.14f, 0.08f, 1.0f)
+                                              : ImVec4(0.16f, 0.42f, 0.24f, 1.0f);
+        const float padding = 2.0f * ImGui::GetStyle().WindowPadding.x;
+        ImGui::PushStyleColor(ImGuiCol_Text, color);
+        ImGui::PushTextWrapPos(
+            std::min(width - padding, ImGui::CalcTextSize(message.c_str()).x + padding));
+        ImGui::TextUnformatted(message.c_str());
+        ImGui::PopTextWrapPos();
+        ImGui::PopStyleColor();
+        if (ImGui::SmallButton("Dismiss")) message.clear();
+    }
     ImGui::End();
 }
 

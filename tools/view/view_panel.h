@@ -66,6 +66,9 @@ public:
     /// Draws the panel. A check box opens and closes `hough`, which the caller draws.
     void draw(ViewSession& session, ViewInput& input, HoughPanel& hough, const Status& status,
               PanelRequests& requests);
+    /// Draws the message, if there is one, at the lower edge of the picture, and the progress of a load where the panel
+    /// is hidden.
+    void draw_messages(const Status& status, PanelRequests& requests);
 
     /// Forgets what the user has changed of the models' places; for a scene that cannot be shown.
     void forget_places() noexcept { shown_.clear(); }

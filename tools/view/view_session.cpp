@@ -175,7 +175,9 @@ void ViewSession::show(OpenedView opened) {
 }
 
 void ViewSession::replace(Document document) {
+    const std::optional<Camera> frozen = frozen_;
     show(std::move(document), Camera(camera), std::vector<Light>(lights));
+    frozen_ = frozen;
 }
 
 bool ViewSession::show_previous(double aspect) {
@@ -276,7 +278,9 @@ void ViewSession::round_to_options() {
         frozen_->eye = frozen_->target + rounded_to_float(frozen_->eye - frozen_->target);
     else if (frozen_)
         frozen_->eye = rounded_to_float(frozen_->eye);
+    const bool was_chosen = has_chosen_sun();
     for (Light& light : lights) light.vector = rounded_to_float(light.vector);
+    if (was_chosen) note_chosen_sun();
 }
 
 std::string ViewSession::command(ImageSize size, const std::string& output) const {

@@ -86,7 +86,8 @@ public:
     void show(Document document, const Camera& chosen, std::vector<Light> chosen_lights);
     /// The same with the appearance too.
     void show(OpenedView opened);
-    /// Shows another document with the same camera and lights, for models that have been moved.
+    /// Shows another document with the same camera and lights and the same frozen silhouette, for models that have been
+    /// moved.
     void replace(Document document);
     /// Returns to the document before; for a document that is too large for the device. False if there is
     /// none.

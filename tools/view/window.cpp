@@ -67,9 +67,10 @@ void Window::listen() {
     glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { k_mark(w); });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { k_mark(w); });
     glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { k_mark(w); });
-    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
+    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
         k_mark(w);
-        if (action == GLFW_PRESS) Events::of(w).pressed_keys.push_back(key);
+        const bool is_shortcut = mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
+        if (action == GLFW_PRESS && !is_shortcut) Events::of(w).pressed_keys.push_back(key);
     });
     glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { k_mark(w); });
     glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { k_mark(w); });
