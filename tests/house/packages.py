@@ -46,6 +46,7 @@ needed = {
 }
 if "librimline1" in packages:
     needed["librimline-dev"] += ["usr/lib/librimline.so", "usr/include/rimline.h"]
+synopses = set()
 for name, path in packages.items():
     contents = {line.split(maxsplit=5)[5].split(" -> ")[0].removeprefix("./")
                 for line in run("dpkg-deb", "--contents", path).splitlines()}
@@ -53,9 +54,20 @@ for name, path in packages.items():
     assert not set(wanted) - contents, f"{path.name} lacks {sorted(set(wanted) - contents)}"
     assert all(line == "" or line.startswith(("usr/", "./")) for line in contents), sorted(contents)[:5]
     control = run("dpkg-deb", "--field", path)
-    assert re.search(r"^Description: .*\n .+", control, re.M), control
+    synopsis, body = re.search(r"^Description: (.*)\n((?: .*\n?)+)", control, re.M).groups()
+    assert synopsis not in synopses, f"{name} has the synopsis of another package: {synopsis}"
+    synopses.add(synopsis)
+    assert all(re.match(r" \S", line) for line in body.splitlines()), body
     if name != "librimline-dev":
         assert re.search(r"^Depends: .*libc6", control, re.M), control
+
+# Each package that the CMake package looks for comes with one that the development package depends on.
+config = (build / "RimlineConfig.cmake").read_text()
+debian_name = {"Threads": None, "glm": "libglm-dev", "JPEG": "libjpeg62-turbo-dev", "PNG": "libpng-dev", "hwy": "libhwy-dev",
+               "TBB": "libtbb-dev", "tinyobjloader": "libtinyobjloader-dev", "Vulkan": "libvulkan-dev"}
+depends = run("dpkg-deb", "--field", packages["librimline-dev"], "Depends")
+for name in re.findall(r"^ *find_(?:dependency|package)\((\w+)", config, re.M):
+    assert debian_name[name] is None or debian_name[name] in depends, f"librimline-dev needs {name}: {depends}"
 
 if shutil.which("lintian"):
     # The changelog closes no bug of Debian: Rimline is not in it.

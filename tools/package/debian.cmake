@@ -30,9 +30,11 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 
-set(rest " Silhouettes are found in an index over the planes of the mesh, and updated
- by what changes while a camera or a light moves. Rimline draws ink lines,
- strokes, vector drawings and shadow volumes.")
+# Each package has its own, in place of the project's.
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
+set(rest "Silhouettes are found in an index over the planes of the mesh, and updated
+by what changes while a camera or a light moves. Rimline draws ink lines,
+strokes, vector drawings and shadow volumes.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME rimline)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "silhouettes of 3D models: found, kept up to date, drawn\n${rest}")
@@ -52,7 +54,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME librimline-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "silhouettes of 3D models - headers and C++ libraries\n${rest}")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libglm-dev, libhwy-dev, libjpeg62-turbo-dev, libpng-dev, libtbb-dev, libvulkan-dev")
+    "libglm-dev, libhwy-dev, libjpeg62-turbo-dev, libpng-dev, libtbb-dev, libtinyobjloader-dev, libvulkan-dev")
 if(TARGET rimline_c)
     string(PREPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "librimline1 (= ${PROJECT_VERSION}), ")
 endif()
