@@ -66,9 +66,11 @@ const LineDrawing& LineDrawer::draw(const LineView& view, std::span<const EdgeId
 
     call.checkpoint(0.0);
     state_->collection.collect(silhouette, options, frame);
+    call.checkpoint(0.05);
     state_->graph.link(frame);
     call.checkpoint(0.1);
     find_locals(frame, options.draws[std::size_t(LineKind::crease)], options.crease_angle_rad);
+    call.checkpoint(0.2);
     find_curve_locals(frame);
     call.checkpoint(0.3);
     state_->events.find(frame, !options.keeps_coincident);
@@ -77,9 +79,12 @@ const LineDrawing& LineDrawer::draw(const LineView& view, std::span<const EdgeId
     call.checkpoint(0.8);
     state_->covered.clear();
     if (!options.keeps_coincident) state_->coincident.find(frame, state_->covered);
+    call.checkpoint(0.85);
     state_->chains.make(frame, state_->covered, options, drawing);
     state_->identity.assign(frame, state_->chains.chain_of_line(), changes, drawing);
+    call.checkpoint(0.9);
     state_->strokes.join(options, drawing);
+    call.checkpoint(0.95);
     if (options.stubble > 0.0) state_->stubble.remove(frame, options, drawing);
 
     for (const ViewLine& line : frame.lines) {

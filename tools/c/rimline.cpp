@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <functional>
 #include <memory>
@@ -117,7 +118,8 @@ public:
     explicit CallersCall(const rimline_call* call) {
         call_.stop = stop_.get_token();
         if (call == nullptr) return;
-        if (call->struct_size < sizeof(rimline_call))
+        // Fields that a later version adds are read where the size covers them.
+        if (call->struct_size < offsetof(rimline_call, user) + sizeof call->user)
             throw UsageError("call: struct_size is not set");
         if (call->progress == nullptr) return;
         call_.progress = [this, progress = call->progress, user = call->user](double share) {

@@ -109,11 +109,14 @@ struct PythonSnapshot {
     std::uint32_t face_count;
 };
 
+// More threads than any machine has use for, and fewer than a process can have.
+constexpr std::uint32_t k_max_workers = 1024;
+
 class PythonService {
 public:
     PythonService(const py::object& workers, const py::object& max_pending) {
         service_ = std::make_unique<SilhouetteService>(
-            SilhouetteServiceOptions{.workers = count_of(workers, "workers", 0),
+            SilhouetteServiceOptions{.workers = count_of(workers, "workers", 0, k_max_workers),
                                      .max_pending = count_of(max_pending, "max_pending", 1)});
     }
     ~PythonService() { stop(); }
@@ -363,7 +366,8 @@ void bind_tracker(py::module_& module) {
                               "Many trackers, moved by threads of the library. A context manager.")
         .def(py::init<const py::object&, const py::object&>(), py::kw_only(),
              py::arg("workers") = 0, py::arg("max_pending") = 4,
-             "workers: threads; 0: one less than the processor has. max_pending: change sets that "
+             "workers: threads, 1024 at most; 0: one less than the processor has. max_pending: "
+             "change sets that "
              "wait to be taken before a tracker waits.")
         .def(
             "add",

@@ -90,6 +90,9 @@ def test_views_of_a_path_are_a_number_views_or_points(knot):
         assert (rimline.camera_path(knot, same).nodes == path.nodes).all()
     with pytest.raises(TypeError, match="views: expected an integer, views or points, not float"):
         rimline.camera_path(knot, 2.0, visible=False)
+    for wrong in (1, np.int64(65), eyes[:1], []):
+        with pytest.raises(ValueError, match="views: expected "):
+            rimline.camera_path(knot, wrong)
     for wrong in (eyes[:2].T, [(1, 2), (3, 4)]):
         with pytest.raises(ValueError, match=r"eyes: expected the shape \(N, 3\), not \(\d, 2\)"):
             rimline.camera_path(knot, wrong)

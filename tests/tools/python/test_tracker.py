@@ -212,3 +212,9 @@ def test_taking_ends_where_the_service_is_stopped():
         tracker.take(60.0)
     assert time.perf_counter() - start < 30
     thread.join()
+
+
+def test_a_service_has_as_many_workers_as_are_of_use():
+    for wrong in (-1, 1025, 10**6):
+        with pytest.raises(ValueError, match="workers: expected 0 to 1024"):
+            rimline.SilhouetteService(workers=wrong)

@@ -146,4 +146,16 @@ TEST_CASE("opening another model drops the one before and cancelling drops all")
     CHECK_FALSE(loader.stage());
 }
 
+TEST_CASE("cancelling does not wait for the load") {
+    ModelLoader loader;
+    loader.open("shape:knot:1000000");  // Takes a second, and is not asked to stop while it is made.
+    const auto start = std::chrono::steady_clock::now();
+    loader.cancel();
+    loader.open("shape:sphere:500");
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::milliseconds(200));
+    const ModelLoader::Result result = wait_for(loader);
+    REQUIRE(result.view.document.model());
+    CHECK(result.view.document.model()->name() == "shape:sphere:500");
+}
+
 TEST_SUITE_END();

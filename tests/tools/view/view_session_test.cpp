@@ -129,6 +129,8 @@ TEST_CASE("a frozen silhouette stays that of where the camera was") {
     REQUIRE(scene.silhouette_camera);
     CHECK(glm::vec3(scene.silhouette_camera->eye) == before.xyz());
     CHECK(scene.camera.eye != scene.silhouette_camera->eye);
+    session.replace(open("shape:knot:2000"));  // The same with its models moved.
+    CHECK(session.silhouette_point() == before);
     session.thaw();
     CHECK(session.silhouette_point() == HomogeneousPoint::viewpoint(glm::vec3(session.camera.eye)));
     session.freeze();
@@ -273,6 +275,8 @@ TEST_CASE("a camera that moves keeps the model in its place and its chosen sun b
     CHECK(glm::distance(sun_in_picture(), sun) < 1e-9);
     const ScreenView after(session.camera, area.window);
     CHECK(glm::distance(*after.pixel_of(session.bounds().center), *place) < 1e-6);
+    session.round_to_options();
+    CHECK(session.has_chosen_sun());
     session.lights[0].vector = {0, 1, 0};  // The user's own.
     session.move_to({1.0, 0.3, -0.5});
     CHECK(session.lights[0].vector == glm::dvec3(0, 1, 0));

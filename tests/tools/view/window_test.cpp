@@ -287,10 +287,10 @@ TEST_CASE("the panel lies over the picture and leaves the rest of it as it is") 
 }
 
 // A key that is pressed and released before the next frame.
-void tap(const Window& window, int key) {
+void tap(const Window& window, int key, int modifiers = 0) {
     const GLFWkeyfun handler = glfwSetKeyCallback(window.handle(), nullptr);
-    handler(window.handle(), key, 0, GLFW_PRESS, 0);
-    handler(window.handle(), key, 0, GLFW_RELEASE, 0);
+    handler(window.handle(), key, 0, GLFW_PRESS, modifiers);
+    handler(window.handle(), key, 0, GLFW_RELEASE, modifiers);
     glfwSetKeyCallback(window.handle(), handler);
 }
 
@@ -312,11 +312,47 @@ TEST_CASE(
     for (int hidden = 0; hidden < 2; ++hidden) {
         tap(shown.window, GLFW_KEY_P);
         shown.loop->step(true);
+        CHECK(shown.loop->message() == "saved view.png");
         CHECK(std::filesystem::remove("view.png"));
         tap(shown.window, GLFW_KEY_TAB);
         shown.loop->step(true);
     }
     std::filesystem::current_path(before);
+}
+
+TEST_CASE("a file that the window has not written is replaced when it is saved again") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = true});
+    shown.capture();
+    tests::ScratchFolder folder;
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(folder / "");
+    const auto size_after = [&](int key, const char* file) {
+        tap(shown.window, key);
+        shown.loop->step(true);
+        return std::filesystem::file_size(file);
+    };
+    for (const auto& [key, file] :
+         {std::pair{GLFW_KEY_P, "view.png"}, {GLFW_KEY_X, "scene.json"}}) {
+        CAPTURE(file);
+        tests::write_bytes(file, "mine");
+        CHECK(size_after(key, file) == 4);
+        CHECK(shown.loop->message().find("exists") != std::string::npos);
+        CHECK(size_after(key, file) > 4);
+        CHECK(shown.loop->message().find("saved") != std::string::npos);
+        tests::write_bytes(file, "");
+        CHECK(size_after(key, file) > 4);
+    }
+    std::filesystem::current_path(before);
+    // These are other programs' shortcuts.
+    for (const int modifier : {GLFW_MOD_CONTROL, GLFW_MOD_ALT, GLFW_MOD_SUPER}) {
+        tap(shown.window, GLFW_KEY_Z, modifier);
+        shown.loop->step(true);
+        CHECK_FALSE(shown.session.frozen());
+    }
+    tap(shown.window, GLFW_KEY_Z, GLFW_MOD_SHIFT);
+    shown.loop->step(true);
+    CHECK(shown.session.frozen());
 }
 
 TEST_CASE(

@@ -215,4 +215,13 @@ test("the module is taken as bytes, compiled, or from its place, and one that is
   }
   await assert.rejects(createRimline({ wasm: new URL("missing.wasm", folder) }), /missing.wasm/);
   await assert.rejects(createRimline({ wasm: new Uint8Array(8) }), WebAssembly.CompileError);
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  assert.ok(new (await createRimline({ wasm: view })).Mesh(CORNERS, TRIANGLES));
+  const empty = new Uint8Array([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0]);
+  await assert.rejects(createRimline({ wasm: empty }), /another module than Rimline's/);
+  for (const wrong of [null, 5]) await assert.rejects(createRimline({ wasm: wrong }), /^TypeError: wasm: expected /);
+  await assert.rejects(createRimline(null), /^TypeError: createRimline: expected an object of options, not null/);
+  for (const wrong of [null, 5]) assert.throws(() => new Mesh(CORNERS, TRIANGLES, wrong), /^TypeError: Mesh: expected /);
+  assert.throws(() => new Mesh(CORNERS, TRIANGLES, { wled: false }), /^TypeError: Mesh: there is no option wled/);
+  assert.throws(() => new Mesh(CORNERS, TRIANGLES, { weld: "x" }), /^TypeError: weld: expected true or false/);
 });

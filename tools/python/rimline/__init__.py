@@ -291,10 +291,15 @@ def camera_path(
     if not isinstance(views, Iterable):
         if not isinstance(views, SupportsIndex):
             raise TypeError(f"views: expected an integer, views or points, not {type(views).__name__}")
+        if not 2 <= operator.index(views) <= 64:
+            raise ValueError(f"views: expected 2 to 64, not {operator.index(views)}")
         with _Parts(progress) as parts:
             found = best_views(mesh, views, up=up, progress=parts.part(0.0, 0.7), **options)
-            eyes: list[Any] = [view.eye for view in found]
-            return CameraPath(mesh, eyes, up=up, progress=parts.part(0.7, 1.0))
+            found_eyes: list[Any] = [view.eye for view in found]
+            return CameraPath(mesh, found_eyes, up=up, progress=parts.part(0.7, 1.0))
     if options:
         raise TypeError(f"unexpected keyword argument '{next(iter(options))}'")
-    return CameraPath(mesh, [view.eye if isinstance(view, View) else view for view in views], up=up, progress=progress)
+    eyes = [view.eye if isinstance(view, View) else view for view in views]
+    if len(eyes) < 2:
+        raise ValueError(f"views: expected at least two, not {len(eyes)}")
+    return CameraPath(mesh, eyes, up=up, progress=progress)

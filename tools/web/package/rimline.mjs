@@ -6,7 +6,8 @@
 const MAX_COORDINATE = 2 ** 60;
 const MIN_COMPONENT = 2 ** -60; // Smaller components of a point are zero to the library.
 
-export async function createRimline({ wasm = new URL("./rimline.wasm", import.meta.url) } = {}) {
+export async function createRimline(options) {
+  const { wasm = new URL("./rimline.wasm", import.meta.url) } = optionsOf("createRimline", options, ["wasm"]);
   let memory;
   const imports = {
     rimline: {
@@ -20,6 +21,8 @@ export async function createRimline({ wasm = new URL("./rimline.wasm", import.me
     wasi_snapshot_preview1: { proc_exit() {}, fd_close: () => 0, fd_write: () => 0, fd_seek: () => 0 },
   };
   const module = wasm instanceof WebAssembly.Module ? wasm : await compile(wasm);
+  if (!WebAssembly.Module.exports(module).some(({ name }) => name === "mesh_silhouette"))
+    throw new Error("wasm: this is another module than Rimline's");
   const { exports } = await WebAssembly.instantiate(module, imports);
   memory = exports.memory;
   exports._initialize();
@@ -27,7 +30,11 @@ export async function createRimline({ wasm = new URL("./rimline.wasm", import.me
 }
 
 async function compile(wasm) {
-  if (wasm instanceof ArrayBuffer || ArrayBuffer.isView(wasm)) return WebAssembly.compile(wasm);
+  if (wasm instanceof ArrayBuffer) return WebAssembly.compile(wasm);
+  if (ArrayBuffer.isView(wasm))
+    return WebAssembly.compile(new Uint8Array(wasm.buffer, wasm.byteOffset, wasm.byteLength));
+  if (typeof wasm !== "string" && !(wasm instanceof URL))
+    throw new TypeError(`wasm: expected a URL, a path, bytes or a module, not ${wasm}`);
   const url = await urlOf(wasm);
   if (url.protocol === "file:") {
     const { readFile } = await import(/* webpackIgnore: true */ /* @vite-ignore */ "node:fs/promises");
@@ -36,6 +43,15 @@ async function compile(wasm) {
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${url}: ${response.status} ${response.statusText}`);
   return WebAssembly.compile(await response.arrayBuffer());
+}
+
+// An object of options, or none, with these names alone.
+function optionsOf(name, options = {}, known) {
+  if (typeof options !== "object" || options === null)
+    throw new TypeError(`${name}: expected an object of options, not ${options}`);
+  for (const option of Object.keys(options))
+    if (!known.includes(option)) throw new TypeError(`${name}: there is no option ${option}`);
+  return options;
 }
 
 // Relative to the page, or without one to the working folder.
@@ -81,7 +97,9 @@ function makeClasses(wasm) {
     #handle;
     #edges;
 
-    constructor(positions, indices = null, { weld = true } = {}) {
+    constructor(positions, indices = null, options) {
+      const { weld = true } = optionsOf("Mesh", options, ["weld"]);
+      if (typeof weld !== "boolean") throw new TypeError(`weld: expected true or false, not ${weld}`);
       const coordinates = numbersOf("positions", positions, FLOATS);
       const corners = indices == null ? null : numbersOf("indices", indices, INTEGERS);
       expectTriples("positions", coordinates.length);
@@ -96,7 +114,7 @@ function makeClasses(wasm) {
       const written = numbers(Uint32Array, wasm.source_corners(source), cornerCount);
       if (corners !== null) written.set(corners);
       else for (let i = 0; i < cornerCount; ++i) written[i] = i;
-      this.#handle = new Handle(wasm.mesh_create(source, Boolean(weld)), wasm.mesh_free);
+      this.#handle = new Handle(wasm.mesh_create(source, weld), wasm.mesh_free);
     }
 
     get vertexCount() {
