@@ -11,11 +11,11 @@
 //
 //   Moves. Blocks that lie certainly on the same side of both points are skipped. Where a block lies certainly
 //   on different sides (it is contained in the active region), all its faces flip without a test. Faces with
-//   dO < 0, dO being the signed distance of a face's plane from the origin O, have blocks of their own: their
+//   dO < 0, dO being the signed distance of a face's plane from the origin O, come after the others: their
 //   Hough points are those of the planes turned around, which are far away as planes.
 //
-//   Extraction. Edges lie in octree order of the midpoints of their two Hough points. Edges whose points are
-//   far apart have blocks of their own. A box holds *both* planes of each edge. When it is certainly on one
+//   Extraction. Edges lie in octree order of the midpoints of their two Hough points. Edges whose planes are
+//   far apart come after the others. A box holds *both* planes of each edge. When it is certainly on one
 //   side, no edge in it is on the silhouette. (The thesis skips nodes whose points are outside or whose edges'
 //   points are inside. That finds an edge only from its inside face, and with several origins it loses edges.
 //   And it tests lists of edges one by one: those that are SFO, on the silhouette as seen from the origin, as

@@ -134,12 +134,12 @@ Cube bounding_cube(Points points, std::span<const CodedPoint> range) {
         });
 }
 
-void sort_in_own_cube(Points points, std::span<const std::uint8_t> sizes,
+void sort_in_own_cube(Points points, std::span<const std::uint8_t> classes,
                       std::span<CodedPoint> range, std::uint32_t cubes,
                       const std::stop_token& stop) {
     const Cube cube = bounding_cube(points, range);
     const double side = cube.side();
-    if (!(side > 0.0) && sizes.empty()) return;
+    if (!(side > 0.0) && classes.empty()) return;
     constexpr double k_cells = 1u << k_bits;
     const auto cell = [&](double offset) {
         const double part = side > 0.0 ? offset / side : 0.0;
@@ -162,8 +162,8 @@ void sort_in_own_cube(Points points, std::span<const std::uint8_t> sizes,
                 for (std::size_t i = 0; i < count; ++i) {
                     CodedPoint& coded = range[begin + i];
                     coded.code = codes[i];
-                    if (!sizes.empty())
-                        coded.code |= std::uint64_t{sizes[coded.point]} << 3 * k_bits;
+                    if (!classes.empty())
+                        coded.code |= std::uint64_t{classes[coded.point]} << 3 * k_bits;
                 }
             }
         });
@@ -180,13 +180,13 @@ void sort_in_own_cube(Points points, std::span<const std::uint8_t> sizes,
 
 }  // namespace
 
-std::vector<std::uint32_t> octree_order(Points points, std::span<const std::uint8_t> sizes,
+std::vector<std::uint32_t> octree_order(Points points, std::span<const std::uint8_t> classes,
                                         const std::stop_token& stop) {
-    RIMLINE_CHECK(sizes.empty() || sizes.size() == points.size());
+    RIMLINE_CHECK(classes.empty() || classes.size() == points.size());
     std::vector<CodedPoint> coded;
     resize_gradually(coded, points.size(), stop);
     for (std::uint32_t i = 0; i < coded.size(); ++i) coded[i] = {0, i};
-    sort_in_own_cube(points, sizes, coded, 0, stop);
+    sort_in_own_cube(points, classes, coded, 0, stop);
     std::vector<std::uint32_t> order;
     order.reserve(coded.size());
     for_each_point(coded, stop, [&](const CodedPoint& p) { order.push_back(p.point); });

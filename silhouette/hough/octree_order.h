@@ -1,7 +1,7 @@
 #pragma once
 
 // The order in which a depth-first traversal of an octree visits points. The points of every cell are
-// contiguous (where sizes are given, those of one size).
+// contiguous (where classes are given, those of one class).
 //
 // The eight children of a cell are visited along a Hilbert curve. So points next to each other in the order
 // are next to each other in space, across the borders of cells too, and any run of them has a compact box.
@@ -22,12 +22,12 @@
 
 namespace rimline {
 
-/// The points' numbers in order. Coordinates and their differences must be finite. `sizes` is empty or has
-/// one for each point; points are sorted by size first, the smallest first. Points that coincide stay in the
+/// The points' numbers in order. Coordinates and their differences must be finite. `classes` is empty or has
+/// one for each point; points are sorted by class first, the lowest first. Points that coincide stay in the
 /// order of their numbers. O(n log n): codes on all threads that oneTBB provides, sorting on one. The result
 /// does not depend on the number of threads or the machine. Throws Error{cancelled}.
 std::vector<std::uint32_t> octree_order(std::span<const glm::dvec3> points,
-                                        std::span<const std::uint8_t> sizes = {},
+                                        std::span<const std::uint8_t> classes = {},
                                         const std::stop_token& stop = {});
 
 /// Sizes for octree_order(), from the squares of lengths or widths: the ratio to the usual length, in powers

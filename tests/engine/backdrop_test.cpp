@@ -377,7 +377,8 @@ TEST_CASE("over a picture that has the surfaces already shadows and lines are th
     }
 }
 
-TEST_CASE("surfaces stand in what the host has drawn, and cast their shadows on it") {
+TEST_CASE("surfaces stand in what the host has drawn and cast their shadows on it" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     const Place place;
     for (const HostView& view : k_views) {

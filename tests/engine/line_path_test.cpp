@@ -140,7 +140,8 @@ TEST_CASE("every line path gives the same pixels" * doctest::test_suite("plain")
         check_paths(*gpu, name, Model(make_built_in_shape(name)));
 }
 
-TEST_CASE("every line path gives the same pixels of a soup of triangles") {
+TEST_CASE("every line path gives the same pixels of a soup of triangles" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     for (unsigned seed = 1; seed <= 3; ++seed) {
         const Model model(random_soup(seed));

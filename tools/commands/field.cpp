@@ -68,7 +68,9 @@ public:
             ->check(CLI::IsMember(choices))
             ->type_name("NAME")
             ->option_text("NAME [origins]");
-        app.add_option("--weight", weight_, "Weight of a plane: 1, or the area of its faces")
+        app.add_option(
+               "--weight", weight_,
+               "Weight of a plane: 1, or the area of its faces in squared radii of the model")
             ->type_name("count|area")
             ->check(CLI::IsMember({"count", "area"}))
             ->capture_default_str();

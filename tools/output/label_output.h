@@ -8,10 +8,11 @@
 //   uchar red green blue     color of the file, or by label: orange border, gray interior, blue feature, red
 //                            undecided
 //   uchar label              0 border, 1 interior, 2 feature, 3 undecided
-//   uchar reason             why the point is undecided: UndecidedReason
+//   uchar reason             why the point is undecided: UndecidedReason, which a comment of the file lists
 //   float weight             feature weight, in [0, 1]
 //   uchar silhouette         1 if on the silhouette
 //   uint number              number of the point in the file
+//   float intensity          of the file, if it has any
 //
 // The format is binary_little_endian; points are in the order of the file.
 

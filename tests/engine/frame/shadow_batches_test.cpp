@@ -194,7 +194,8 @@ TEST_CASE("nothing shines through 256 triangles 128 closed casters or 256 in the
             }
 }
 
-TEST_CASE("a volume in parts gives the picture of its pieces as casters of their own") {
+TEST_CASE("a volume in parts gives the picture of its pieces as casters of their own" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     // Layers of a sphere's shells, so that parts end within surfaces: 2 * 140 triangles are in a row.
     const MeshSource shell = make_built_in_shape("sphere", 80);

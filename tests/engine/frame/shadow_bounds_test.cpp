@@ -115,7 +115,7 @@ private:
     double area_ = 0.0;
 };
 
-TEST_CASE("shadows of random scenes lie within their limits") {
+TEST_CASE("shadows of random scenes lie within their limits" * doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     constexpr std::uint64_t k_seed = 20261125;
     CAPTURE(k_seed);

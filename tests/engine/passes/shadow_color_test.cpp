@@ -48,7 +48,8 @@ MeshSource in_colors(MeshSource source) {
 }
 
 // Colors are rounded to half floats once instead of twice.
-TEST_CASE("surfaces drawn at once with their color in shadow are those drawn light by light") {
+TEST_CASE("surfaces drawn at once with their color in shadow are those drawn light by light" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     const RendererOptions options{.samples = 1, .scale = 2, .pass_times = true};
     Renderer with_lines(gpu->context(), options);

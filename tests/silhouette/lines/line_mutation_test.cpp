@@ -213,7 +213,8 @@ void mutate_view(const Mesh& mesh, const LineView& view, std::uint64_t seed,
 
 // Of 161 errors, checks notice 107 first, counts below zero 7, and the oracle 47: most of these on creases that no
 // cycle covers.
-TEST_CASE("checks or the oracle notice each error in events and local counts") {
+TEST_CASE("checks or the oracle notice each error in events and local counts" *
+          doctest::test_suite("plain")) {
     MutationNotices notices;
     const std::array<MeshSource, 3> sources{
         tests::crossing_knots(2000), make_built_in_shape("scene", 2000), tests::broken_knot(5)};

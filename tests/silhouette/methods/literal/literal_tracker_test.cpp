@@ -200,7 +200,7 @@ TEST_CASE("a walk tests fewer PBVs than a traversal, and OBVs instead") {
     CHECK(walk.work.nodes_enqueued > 0);
 }
 
-TEST_CASE("active sets do not grow over a long way") {
+TEST_CASE("active sets do not grow over a long way" * doctest::test_suite("plain")) {
     const Mesh mesh(make_built_in_shape("torus", 3000));
     const LiteralOctree octree(mesh);
     tests::RandomWalk walk(mesh, 115);
