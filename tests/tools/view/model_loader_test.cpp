@@ -148,7 +148,8 @@ TEST_CASE("opening another model drops the one before and cancelling drops all")
 
 TEST_CASE("cancelling does not wait for the load") {
     ModelLoader loader;
-    loader.open("shape:knot:1000000");  // Takes a second, and is not asked to stop while it is made.
+    loader.open(
+        "shape:knot:1000000");  // Takes a second, and is not asked to stop while it is made.
     const auto start = std::chrono::steady_clock::now();
     loader.cancel();
     loader.open("shape:sphere:500");
