@@ -123,6 +123,18 @@ void draw_v_sphere(const Space& space, const HoughInspection& inspection) {
     space.dot(pole, k_ink, 3.0f);
 }
 
+// Of the next item: in this line if it fits, else in the next one.
+void flow(const char* text, float beside_text) {
+    ImGui::SameLine();
+    const float width = ImGui::CalcTextSize(text).x + beside_text;
+    if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+}
+
+void check_box(const char* text, bool* is_on, bool starts_line = false) {
+    if (!starts_line) flow(text, ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::Checkbox(text, is_on);
+}
+
 void legend(ImU32 color, const char* text) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float side = 0.6f * ImGui::GetFontSize();
@@ -153,19 +165,16 @@ void HoughPanel::draw(const HoughInspection& inspection, float x, float y, float
     char text[96];
     std::snprintf(text, sizeof text, "inside %u", blocks.inside);
     legend(k_inside, text);
-    ImGui::SameLine();
     std::snprintf(text, sizeof text, "outside %u", blocks.outside);
+    flow(text, ImGui::GetFontSize());
     legend(k_outside, text);
-    ImGui::SameLine();
     std::snprintf(text, sizeof text, "looked at %u of %u blocks", blocks.tested, blocks.all);
+    flow(text, ImGui::GetFontSize());
     legend(k_tested, text);
-    ImGui::Checkbox("points", &shows_points_);
-    ImGui::SameLine();
-    ImGui::Checkbox("v-sphere", &shows_sphere_);
-    ImGui::SameLine();
-    ImGui::Checkbox("looked at", &shows_tested_);
-    ImGui::SameLine();
-    ImGui::Checkbox("settled", &shows_settled_);
+    check_box("points", &shows_points_, true);
+    check_box("v-sphere", &shows_sphere_);
+    check_box("looked at", &shows_tested_);
+    check_box("settled", &shows_settled_);
 
     const ImVec2 low = ImGui::GetCursorScreenPos();
     ImVec2 size = ImGui::GetContentRegionAvail();
@@ -211,10 +220,10 @@ void HoughPanel::draw(const HoughInspection& inspection, float x, float y, float
         list.PopClipRect();
     }
     if (inspection.points().size() < inspection.point_count())
-        ImGui::TextDisabled("%zu of %u points shown; drag turns, the wheel zooms",
-                            inspection.points().size(), inspection.point_count());
+        ImGui::TextDisabled("%zu of %u points; drag to turn", inspection.points().size(),
+                            inspection.point_count());
     else
-        ImGui::TextDisabled("%u points; drag turns, the wheel zooms", inspection.point_count());
+        ImGui::TextDisabled("%u points; drag to turn", inspection.point_count());
     ImGui::End();
 }
 

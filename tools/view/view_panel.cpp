@@ -505,7 +505,8 @@ void ViewPanel::draw_messages(const Status& status, PanelRequests& requests) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float left = (visible ? k_width * status.scale : 0.0f) + margin;
     const float width = std::max(display.x - left - margin, 200.0f * status.scale);
-    ImGui::SetNextWindowPos({left, display.y - margin}, ImGuiCond_Always, {0.0f, 1.0f});
+    ImGui::SetNextWindowPos({left + 0.5f * width, display.y - margin}, ImGuiCond_Always,
+                            {0.5f, 1.0f});
     const float least = shows_loading ? std::min(width, k_width * status.scale) : 0.0f;
     ImGui::SetNextWindowSizeConstraints({least, 0.0f}, {width, display.y});
     ImGui::Begin("Messages", nullptr,

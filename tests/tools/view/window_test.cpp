@@ -12,7 +12,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <thread>
+#include <utility>
 
 #include "engine/tested_device.h"
 #include "engine/view_defaults.h"
@@ -294,6 +296,23 @@ void tap(const Window& window, int key, int modifiers = 0) {
     glfwSetKeyCallback(window.handle(), handler);
 }
 
+Picture saved_picture(const char* file) {
+    const std::string bytes = tests::read_bytes(file);
+    return decode_png(std::as_bytes(std::span(bytes)));
+}
+
+// What is empty at the left and the right of a picture, as shares of its width.
+std::pair<double, double> margins(const Picture& picture) {
+    std::uint32_t first = picture.width, last = 0;
+    for (std::uint32_t i = 0; i < picture.width * picture.height; ++i) {
+        if (std::equal(&picture.rgba[4 * i], &picture.rgba[4 * i] + 4, picture.rgba.begin()))
+            continue;
+        first = std::min(first, i % picture.width);
+        last = std::max(last, i % picture.width);
+    }
+    return {double(first) / picture.width, 1.0 - double(last + 1) / picture.width};
+}
+
 TEST_CASE(
     "keys are not lost, however short they are pressed, and P saves with the panel folded or "
     "hidden") {
@@ -310,12 +329,18 @@ TEST_CASE(
     const std::filesystem::path before = std::filesystem::current_path();
     std::filesystem::current_path(folder / "");
     for (int hidden = 0; hidden < 2; ++hidden) {
+        const glm::dvec3 eye = shown.session.camera.eye;
         tap(shown.window, GLFW_KEY_P);
         shown.loop->step(true);
         CHECK(shown.loop->message() == "saved view.png");
+        CHECK(shown.session.camera.eye == eye);
+        const auto [left, right] = margins(saved_picture("view.png"));
+        CHECK(left > 0.01);
+        CHECK(std::abs(left - right) < 0.03);
         CHECK(std::filesystem::remove("view.png"));
         tap(shown.window, GLFW_KEY_TAB);
         shown.loop->step(true);
+        shown.loop->step(true);  // The model is framed anew.
     }
     std::filesystem::current_path(before);
 }
