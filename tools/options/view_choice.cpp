@@ -19,9 +19,9 @@ void ViewChoice::add_to(CLI::App& app, std::uint32_t min_count) {
     app.add_option(
            "--below", below,
            "Views from below the horizon count less, down to a half at 60 degrees, and views from "
-           "behind a fifth less than three-quarter views, and those of the ends of long models "
-           "less; "
-           "full: none of these")
+           "behind a fifth less than three-quarter views, and those that show little of the "
+           "surface "
+           "less; full: none of these")
         ->check(CLI::IsMember({"less", "full"}))
         ->capture_default_str()
         ->group("Views");

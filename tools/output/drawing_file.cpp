@@ -17,10 +17,10 @@ std::optional<DrawingFormat> drawing_format_of(const std::string& file_name) {
     return std::nullopt;
 }
 
-void append_decimals(std::string& text, double value) {
+void append_decimals(std::string& text, double value, int most_decimals) {
     std::array<char, 400> buffer;
     const char* end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                    std::chars_format::fixed, 3)
+                                    std::chars_format::fixed, most_decimals)
                           .ptr;
     while (end[-1] == '0') --end;
     if (end[-1] == '.') --end;

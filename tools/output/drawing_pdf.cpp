@@ -119,10 +119,9 @@ void append_pdf_layer(std::string& text, const PageDrawing& drawing, bool is_hid
 
 std::string drawing_pdf(const PageDrawing& drawing) {
     // Exact to a hundred-thousandth of a mm in a meter.
-    std::array<char, 64> matrix{};
-    std::snprintf(matrix.data(), matrix.size(), "%.8f 0 0 %.8f 0 0 cm\n", k_points_per_mm,
-                  k_points_per_mm);
-    std::string content = "q\n" + std::string(matrix.data());
+    std::string scale;
+    append_decimals(scale, k_points_per_mm, 8);
+    std::string content = "q\n" + scale + " 0 0 " + scale + " 0 0 cm\n";
     append_pdf_layer(content, drawing, true);
     append_pdf_layer(content, drawing, false);
     content += "Q\n";

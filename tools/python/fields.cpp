@@ -223,18 +223,22 @@ void bind_fields(py::module_& module) {
         .def("at", &PythonField::at, py::arg("points"), py::kw_only(),
              py::arg("progress") = py::none(),
              "N float64: the values at N x 3 points, in the mesh's coordinates.")
-        .def_property_readonly("max_value",
-                               [](const PythonField& f) { return f.field().max_value(); })
+        .def_property_readonly(
+            "max_value", [](const PythonField& f) { return f.field().max_value(); },
+            "The greatest magnitude that a value can have.")
         .def_property_readonly(
             "error_bound", [](const PythonField& f) { return f.field().error_bound(); },
             "The greatest error of a value.");
 
     py::class_<PythonView>(module, "View", "A viewpoint that best_views() chose.")
-        .def_property_readonly("eye", [](const PythonView& v) { return array_of(v.view.eye); })
+        .def_property_readonly(
+            "eye", [](const PythonView& v) { return array_of(v.view.eye); },
+            "The viewpoint: 3 float64.")
         .def_property_readonly(
             "target", [](const PythonView& v) { return array_of(v.camera.target); },
             "With up and fov, a camera that shows the whole mesh in a picture of 4:3.")
-        .def_property_readonly("up", [](const PythonView& v) { return array_of(v.camera.up); })
+        .def_property_readonly(
+            "up", [](const PythonView& v) { return array_of(v.camera.up); }, "3 float64.")
         .def_property_readonly(
             "fov", [](const PythonView& v) { return v.camera.fov_y_deg; }, "Vertical, in degrees.")
         .def_property_readonly(
@@ -263,7 +267,9 @@ void bind_fields(py::module_& module) {
         .def_property_readonly(
             "nodes", [](const PythonPath& p) { return copied<double>(p.path().nodes(), 3); },
             "2N x 3 float64: the points that it passes through.")
-        .def_property_readonly("length", [](const PythonPath& p) { return p.path().length(); })
+        .def_property_readonly(
+            "length", [](const PythonPath& p) { return p.path().length(); },
+            "In units of the mesh.")
         .def("position", &PythonPath::position, py::arg("share"),
              "The point at this share of the length; 0 and 1 are the first node.")
         .def("sample", &PythonPath::sample, py::arg("count"),

@@ -162,9 +162,15 @@ void bind_lines(py::module_& module) {
         .def_property_readonly(
             "report", [](const BoundDrawing& d) { return report_of(d.drawing); },
             "What was done, and the checks of the result.")
-        .def("to_svg", [](const BoundDrawing& d) { return tools::drawing_svg(d.page); })
-        .def("to_pdf", [](const BoundDrawing& d) { return py::bytes(tools::drawing_pdf(d.page)); })
-        .def("to_dxf", [](const BoundDrawing& d) { return tools::drawing_dxf(d.page); })
+        .def(
+            "to_svg", [](const BoundDrawing& d) { return tools::drawing_svg(d.page); },
+            "The text of an SVG file.")
+        .def(
+            "to_pdf", [](const BoundDrawing& d) { return py::bytes(tools::drawing_pdf(d.page)); },
+            "The bytes of a PDF file.")
+        .def(
+            "to_dxf", [](const BoundDrawing& d) { return tools::drawing_dxf(d.page); },
+            "The text of a DXF file.")
         .def("save", &save, py::arg("path"),
              "Writes an .svg, .pdf or .dxf file, whole or not at all.")
         .def("_repr_svg_", [](const BoundDrawing& d) { return tools::drawing_svg(d.page); })

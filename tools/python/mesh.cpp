@@ -217,7 +217,8 @@ void bind_mesh(py::module_& module) {
                 return edge_vertices(m.mesh(), edges_of_class(m.mesh(), EdgeClass::border));
             },
             "N x 2 uint32: edges of one face. They are in no silhouette.")
-        .def_property_readonly("name", &system_name_of)
+        .def_property_readonly("name", &system_name_of,
+                               "Of its file or shape, as messages name it.")
         .def_property_readonly(
             "center", [](const BoundMesh& m) { return array_of(m.mesh().center()); },
             "The center of the bounding box of the used vertices.")

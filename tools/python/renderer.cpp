@@ -116,7 +116,8 @@ void bind_renderer(py::module_& module) {
         .def("_render", &render, py::arg("mesh").none(false), py::arg("options"),
              py::arg("progress"))
         .def_property_readonly(
-            "device_name", [](const BoundRenderer& r) { return r.device().device.facts().name; })
+            "device_name", [](const BoundRenderer& r) { return r.device().device.facts().name; },
+            "As its driver calls it.")
         .def_property_readonly(
             "validation_message_count",
             [](const BoundRenderer& r) { return r.device().instance.validation_message_count(); },

@@ -249,10 +249,12 @@ void bind_change_set(py::module_& module) {
         .def_property_readonly(
             "point", [](const PythonChange& c) { return tuple_of(c.view().point); },
             "x, y, z, and 1 for a viewpoint or 0 for a direction.")
-        .def_property_readonly("box_checks",
-                               [](const PythonChange& c) { return c.view().counters.box_checks; })
-        .def_property_readonly("face_checks",
-                               [](const PythonChange& c) { return c.view().counters.face_checks; })
+        .def_property_readonly(
+            "box_checks", [](const PythonChange& c) { return c.view().counters.box_checks; },
+            "Boxes of the index that the move looked at.")
+        .def_property_readonly(
+            "face_checks", [](const PythonChange& c) { return c.view().counters.face_checks; },
+            "Faces whose planes it looked at.")
         .def("__repr__", [](const PythonChange& c) {
             const ChangeSet changes = c.view();
             return "<rimline.ChangeSet " + std::to_string(changes.sequence) + ": " +
@@ -318,10 +320,13 @@ void bind_tracker(py::module_& module) {
                     [](const SilhouetteTracker& tracker) { return tracker.sequence(); });
             },
             "That of the last change set; 0 before the first move.")
-        .def_property_readonly("point", [](const PythonTracker& t) {
-            return t.reading(
-                [](const SilhouetteTracker& tracker) { return tuple_of(tracker.point()); });
-        });
+        .def_property_readonly(
+            "point",
+            [](const PythonTracker& t) {
+                return t.reading(
+                    [](const SilhouetteTracker& tracker) { return tuple_of(tracker.point()); });
+            },
+            "x, y, z, and 1 for a viewpoint or 0 for a direction.");
 
     py::class_<PythonSnapshot>(
         module, "Snapshot", "The whole state of a tracker, to which the next change set applies.")
@@ -343,11 +348,14 @@ void bind_tracker(py::module_& module) {
             "uint32: bits of faces, 32 a word.")
         .def_property_readonly(
             "front_faces",
-            [](const PythonSnapshot& s) { return front_of_words(s.snapshot.words, s.face_count); })
-        .def_property_readonly("sequence",
-                               [](const PythonSnapshot& s) { return s.snapshot.sequence; })
-        .def_property_readonly("point",
-                               [](const PythonSnapshot& s) { return tuple_of(s.snapshot.point); });
+            [](const PythonSnapshot& s) { return front_of_words(s.snapshot.words, s.face_count); },
+            "F bool: whether each face is seen from its front.")
+        .def_property_readonly(
+            "sequence", [](const PythonSnapshot& s) { return s.snapshot.sequence; },
+            "That of the last change set in it.")
+        .def_property_readonly(
+            "point", [](const PythonSnapshot& s) { return tuple_of(s.snapshot.point); },
+            "x, y, z, and 1 for a viewpoint or 0 for a direction.");
 
     py::class_<ServiceTracker>(module, "ServiceTracker", "A tracker of a SilhouetteService.")
         .def("post", &ServiceTracker::post, py::arg("eye") = py::none(), py::kw_only(),
@@ -382,9 +390,9 @@ void bind_tracker(py::module_& module) {
         .def("stop", &PythonService::stop, "Ends the workers. Points not reached are dropped.")
         .def("__enter__", [](py::object self) { return self; })
         .def("__exit__", [](PythonService& self, const py::args&) { self.stop(); })
-        .def_property_readonly("worker_count", [](const PythonService& self) {
-            return self.service().worker_count();
-        });
+        .def_property_readonly(
+            "worker_count", [](const PythonService& self) { return self.service().worker_count(); },
+            "Threads that move trackers.");
 }
 
 }  // namespace rimline::python

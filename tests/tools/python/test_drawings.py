@@ -2,6 +2,7 @@
 
 import os
 import subprocess
+import sys
 import threading
 import xml.etree.ElementTree
 
@@ -251,3 +252,23 @@ def test_a_machine_without_the_device_is_told_so():
     with pytest.raises(rimline.NoDeviceError, match="no-such-device"):
         rimline.Renderer("no-such-device")
     assert all(len(device) == 3 for device in rimline.devices())
+
+
+def test_drawings_have_points_where_the_locale_has_commas(tmp_path):
+    made = subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", str(tmp_path / "de_DE.UTF-8")], capture_output=True)
+    if made.returncode != 0:
+        pytest.skip("localedef has no de_DE here")
+    script = """
+import locale, rimline
+knot = rimline.load("shape:knot:3000")
+def texts():
+    drawing = rimline.draw(knot, eye=(2.5, 1.25, 3), gap=0.75)
+    return [drawing.to_svg(), drawing.to_pdf(), drawing.to_dxf()]
+before = texts()
+locale.setlocale(locale.LC_ALL, "de_DE.UTF-8")
+assert locale.format_string("%g", 0.5) == "0,5"
+assert texts() == before
+"""
+    result = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=300,
+                            env={**os.environ, "LOCPATH": str(tmp_path), "PYTHONPATH": os.pathsep.join(sys.path)})
+    assert result.returncode == 0, result.stderr

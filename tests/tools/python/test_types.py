@@ -1,6 +1,7 @@
 """The stubs say what the extension module has, and mypy agrees with them."""
 
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -61,5 +62,7 @@ def test_everything_public_is_documented_and_exported():
         thing = getattr(rimline, name)
         assert isinstance(thing, (str, tuple)) or thing.__doc__, name
         for member, value in vars(thing).items() if isinstance(thing, type) else ():
-            if not member.startswith("_") and callable(value):
-                assert value.__doc__, f"{name}.{member}"
+            if not member.startswith("_") and (callable(value) or isinstance(value, property)):
+                # Methods begin with their signature.
+                text = re.sub(r"\A\w+\(.*\) -> .*\n?", "", value.__doc__ or "")
+                assert text.strip(), f"{name}.{member}"

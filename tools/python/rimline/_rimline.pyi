@@ -7,6 +7,8 @@ from typing import Any, Callable, Sequence, SupportsIndex
 import numpy as np
 import numpy.typing as npt
 
+from rimline import Line
+
 _Path = str | bytes | os.PathLike[str] | os.PathLike[bytes]
 _Vector = Sequence[float] | npt.NDArray[Any]
 _Rows = npt.NDArray[Any] | Sequence[Sequence[float]]
@@ -149,7 +151,7 @@ class SilhouetteService:
 
 class LineDrawing:
     @property
-    def lines(self) -> list[Any]: ...
+    def lines(self) -> list[Line]: ...
     @property
     def page_mm(self) -> tuple[float, float]: ...
     @property
