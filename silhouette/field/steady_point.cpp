@@ -14,8 +14,8 @@ namespace rimline {
 namespace {
 
 constexpr double k_ring_deg = 10.0;  // Between one ring of directions and the next.
-constexpr int k_plateau_rings = 3;
-constexpr double k_plateau = 0.92;
+constexpr int k_plateau_rings = 2;
+constexpr double k_plateau = 0.95;
 constexpr double k_gap = 0.8;  // Less of the highest score is a gap between two plateaus.
 constexpr int k_max_moves = 10;
 constexpr double k_rests_deg = 1.5;

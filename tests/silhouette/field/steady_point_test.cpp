@@ -78,8 +78,8 @@ TEST_CASE("where no score is above zero a point stays") {
     CHECK(middle_of_plateau(point, each([](const glm::dvec3&) { return 0.0; })) == point);
 }
 
-TEST_CASE("what is within 30 degrees of the middle is on the plateau") {
-    CHECK(is_on_plateau(turned(29.0), 2.0 * k_top));
+TEST_CASE("what is within 20 degrees of the middle is on the plateau") {
+    CHECK(is_on_plateau(turned(19.0), 2.0 * k_top));
     CHECK_FALSE(is_on_plateau(2.0 * turned(31.0), k_top));
 }
 

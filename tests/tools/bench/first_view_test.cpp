@@ -71,9 +71,8 @@ TEST_SUITE("long") {
         "the first view of beetle-alt.obj moves by 10 degrees at most or to its mirror image") {
         check_first_view("beetle-alt.obj", 0);
     }
-    // Several plateaus are as good.
-    TEST_CASE("the first view of fandisk.obj moves by 15 degrees at most") {
-        check_first_view("fandisk.obj", {}, 15.0);
+    TEST_CASE("the first view of fandisk.obj moves by 10 degrees at most") {
+        check_first_view("fandisk.obj");
     }
     TEST_CASE("the first view of horse.ply moves by 10 degrees at most") {
         check_first_view("horse.ply");
@@ -81,9 +80,10 @@ TEST_SUITE("long") {
     TEST_CASE("the first view of igea.ply moves by 10 degrees at most") {
         check_first_view("igea.ply");
     }
+    // A scan whose halves differ.
     TEST_CASE(
-        "the first view of nefertiti.obj moves by 10 degrees at most or to its mirror image") {
-        check_first_view("nefertiti.obj", 0);
+        "the first view of nefertiti.obj moves by 13 degrees at most or to its mirror image") {
+        check_first_view("nefertiti.obj", 0, 13.0);
     }
     TEST_CASE("the first view of ogre.obj moves by 10 degrees at most or to its mirror image") {
         check_first_view("ogre.obj", 0);
