@@ -9,16 +9,12 @@
 
 namespace rimline {
 
-namespace {
-
 glm::dvec3 spread_direction(std::uint32_t i, std::uint32_t count) {
     const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
     const double z = 1.0 - (2.0 * i + 1.0) / count;
     const double across = std::sqrt(1.0 - z * z);
     return {across * std::cos(golden_angle * i), across * std::sin(golden_angle * i), z};
 }
-
-}  // namespace
 
 std::vector<HomogeneousPoint> spread_viewpoints(const Mesh& mesh, std::uint32_t count) {
     const glm::dvec3 c = glm::abs(mesh.center());

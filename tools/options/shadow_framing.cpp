@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 #include "engine/view_defaults.h"
+#include "silhouette/hough/spread_viewpoints.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/view_camera.h"
 
@@ -18,7 +19,7 @@ namespace rimline::tools {
 namespace {
 
 constexpr double k_max_tangent = 1.7320508;
-constexpr int k_outline_directions = 128;
+constexpr std::uint32_t k_outline_directions = 128;
 
 // Whether a place is before the camera, and within 60 degrees of its direction on both axes.
 bool is_before(const glm::dmat3& axes, const glm::dvec3& eye, const glm::vec3& place) {
@@ -71,14 +72,11 @@ bool is_below_ground(const Camera& camera, const Mesh& mesh, const glm::dvec3& g
 
 // Vertices of the mesh that are the farthest ones in some direction.
 std::vector<glm::vec3> outline_positions(const Mesh& mesh) {
-    // Directions of a spiral over the sphere, evenly spread.
-    const double turn = std::numbers::pi * (3.0 - std::sqrt(5.0));
     std::vector<glm::vec3> outline;
     if (mesh.positions().empty()) return outline;
-    for (int i = 0; i < k_outline_directions; ++i) {
-        const double height = 1.0 - (2.0 * i + 1.0) / k_outline_directions;
-        const double level = std::sqrt(1.0 - height * height);
-        const glm::vec3 direction(level * std::cos(i * turn), height, level * std::sin(i * turn));
+    for (std::uint32_t i = 0; i < k_outline_directions; ++i) {
+        const glm::dvec3 spread = spread_direction(i, k_outline_directions);
+        const glm::vec3 direction(spread.x, spread.z, spread.y);  // Around y, as most models stand.
         outline.push_back(*std::ranges::max_element(
             mesh.positions(), {}, [&](const glm::vec3& p) { return glm::dot(p, direction); }));
     }

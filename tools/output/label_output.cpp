@@ -40,9 +40,8 @@ std::string format_labels(const LabeledPoints& points) {
     std::string bytes =
         "ply\nformat binary_little_endian 1.0\n"
         "comment label: 0 border, 1 interior, 2 feature, 3 undecided\n"
-        "comment reason of undecided points: 1 alone, 2 coincident, 3 isolated, 4 collinear, 5 no "
-        "normal, "
-        "6 outlier, 7 unconfirmed border\nelement vertex " +
+        "comment reason of undecided points: 1 alone, 2 coincident, 3 isolated, 4 collinear, "
+        "5 no normal, 6 outlier, 7 unconfirmed border\nelement vertex " +
         std::to_string(cloud.size()) +
         "\nproperty double x\nproperty double y\nproperty double z\n"
         "property float nx\nproperty float ny\nproperty float nz\n"

@@ -7,7 +7,7 @@ const MAX_COORDINATE = 2 ** 60;
 const MIN_COMPONENT = 2 ** -60; // Smaller components of a point are zero to the library.
 
 export async function createRimline(options) {
-  const { wasm = new URL("./rimline.wasm", import.meta.url) } = optionsOf("createRimline", options, ["wasm"]);
+  const { wasm = new URL("./rimline.wasm", import.meta.url) } = optionsOf("createRimline", ["wasm"], options);
   let memory;
   const imports = {
     rimline: {
@@ -46,7 +46,7 @@ async function compile(wasm) {
 }
 
 // An object of options, or none, with these names alone.
-function optionsOf(name, options = {}, known) {
+function optionsOf(name, known, options = {}) {
   if (typeof options !== "object" || options === null)
     throw new TypeError(`${name}: expected an object of options, not ${options}`);
   for (const option of Object.keys(options))
@@ -98,7 +98,7 @@ function makeClasses(wasm) {
     #edges;
 
     constructor(positions, indices = null, options) {
-      const { weld = true } = optionsOf("Mesh", options, ["weld"]);
+      const { weld = true } = optionsOf("Mesh", ["weld"], options);
       if (typeof weld !== "boolean") throw new TypeError(`weld: expected true or false, not ${weld}`);
       const coordinates = numbersOf("positions", positions, FLOATS);
       const corners = indices == null ? null : numbersOf("indices", indices, INTEGERS);
