@@ -12,6 +12,7 @@
 #include <string>
 #include <thread>
 
+#include "tools/begin_call.h"
 #include "tools/command.h"
 
 namespace rimline::tools {
@@ -42,10 +43,6 @@ private:
     int shown_percent_ = -1;
     std::jthread late_;  // Shows the task of a call that reports nothing.
 };
-
-/// Work in several parts takes a BeginCall. It calls it before each part with the name of the task, and
-/// passes the result to that part.
-using BeginCall = std::function<LongCall(const std::string& task)>;
 
 /// Returns work(begin), where `begin` shows a Progress for each part. Throws Error{cancelled} after Ctrl-C.
 template <typename Work>

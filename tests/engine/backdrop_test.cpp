@@ -28,10 +28,10 @@ namespace {
 
 using namespace rimline::tests;
 
-constexpr std::uint32_t k_width = 160;
-constexpr std::uint32_t k_height = 120;
-constexpr VkExtent2D k_size{k_width, k_height};
-constexpr RendererOptions k_plain{.samples = 1, .scale = 1};
+constexpr std::uint32_t k_backdrop_width = 160;
+constexpr std::uint32_t k_backdrop_height = 120;
+constexpr VkExtent2D k_backdrop_size{k_backdrop_width, k_backdrop_height};
+constexpr RendererOptions k_backdrop_plain{.samples = 1, .scale = 1};
 constexpr glm::vec3 k_sky{0.3f, 0.4f, 0.6f};
 
 // How the other renderer sees: a matrix, and which depths are near.
@@ -47,7 +47,7 @@ glm::dmat4 perspective(double fov_y_deg, double z_scale, double z_offset,
                        const glm::dvec2& shift = {0.0, 0.0}) {
     const double focal = 1.0 / std::tan(0.5 * glm::radians(fov_y_deg));
     glm::dmat4 matrix(0.0);
-    matrix[0][0] = focal * k_height / k_width;
+    matrix[0][0] = focal * k_backdrop_height / k_backdrop_width;
     matrix[1][1] = -focal;
     matrix[2][0] = -shift.x;
     matrix[2][1] = -shift.y;
@@ -66,7 +66,7 @@ glm::dmat4 standard(double near, double far) {
 glm::dmat4 flat(double near, double far, bool is_reversed) {
     glm::dmat4 matrix(1.0);
     const double depth = far - near;
-    matrix[0][0] = 0.4 * k_height / k_width;
+    matrix[0][0] = 0.4 * k_backdrop_height / k_backdrop_width;
     matrix[1][1] = -0.4;
     matrix[2][2] = is_reversed ? 1.0 / depth : -1.0 / depth;
     matrix[3][2] = is_reversed ? far / depth : -near / depth;
@@ -114,7 +114,7 @@ public:
     static constexpr VkFormat k_format = VK_FORMAT_R32G32B32A32_SFLOAT;
 
     Host(const DeviceContext& context, const HostView& view, std::uint32_t samples,
-         VkExtent2D extent = k_size)
+         VkExtent2D extent = k_backdrop_size)
         : context_(context), view_(view), samples_(samples), extent_(extent) {
         constexpr VkImageUsageFlags k_color = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
         color_ = Image(context, {k_format, extent, k_color | VK_IMAGE_USAGE_TRANSFER_SRC_BIT},
@@ -358,8 +358,8 @@ TEST_CASE("over a picture that has the surfaces already shadows and lines are th
                     for (SceneInstance& instance : scene.instances) instance.has_surfaces = false;
                     const std::vector<glm::vec4> over =
                         host.draw(renderer, scene, corners, host.target(PictureUse::over, true));
-                    save("backdrop_own", own, k_size);
-                    save("backdrop_over", over, k_size);
+                    save("backdrop_own", own, k_backdrop_size);
+                    save("backdrop_over", over, k_backdrop_size);
                     // The host has resolved its samples, so at the edge of a shaded surface the shadow's
                     // opacity applies to what lies behind it too.
                     CHECK(differing(own, over) < (samples > 1 && shadows ? 0.012 : 0.002));
@@ -399,8 +399,8 @@ TEST_CASE("surfaces stand in what the host has drawn and cast their shadows on i
             scene.instances.pop_back();
             const std::vector<glm::vec4> over =
                 host.draw(renderer, scene, ground, host.target(PictureUse::over, true));
-            save("backdrop_standing_own", own, k_size);
-            save("backdrop_standing_over", over, k_size);
+            save("backdrop_standing_own", own, k_backdrop_size);
+            save("backdrop_standing_over", over, k_backdrop_size);
             CHECK(differing(own, over) < 0.004);
         }
     }
@@ -430,7 +430,7 @@ TEST_CASE("shadows limited to where they can be seen fall on a backdrop as other
                 CAPTURE(std::string(view.name));
                 CAPTURE(light.vector.z);
                 scene.lights = {light, lights[0]};
-                Renderer limited(gpu->context(), k_plain);
+                Renderer limited(gpu->context(), k_backdrop_plain);
                 Renderer everywhere(gpu->context(),
                                     {.samples = 1, .scale = 1, .limits_shadows = false});
                 Host host(gpu->context(), view, 1);
@@ -438,11 +438,12 @@ TEST_CASE("shadows limited to where they can be seen fall on a backdrop as other
                     host.draw(limited, scene, ground, host.target(use, true));
                 const std::vector<glm::vec4> all =
                     host.draw(everywhere, scene, ground, host.target(use, true));
-                save("backdrop_limited", some, k_size);
+                save("backdrop_limited", some, k_backdrop_size);
                 CHECK(some == all);
-                limited.render(scene, k_width, k_height);
+                limited.render(scene, k_backdrop_width, k_backdrop_height);
                 for (const ShadowReport& shadow : limited.report().shadows)
-                    limited_count += shadow.reach.width * shadow.reach.height < k_width * k_height;
+                    limited_count += shadow.reach.width * shadow.reach.height <
+                                     k_backdrop_width * k_backdrop_height;
             }
     }
     CHECK(limited_count > 0);
@@ -478,8 +479,8 @@ TEST_CASE("a layer laid over a background is the picture on it" * doctest::test_
             for (glm::vec4& pixel : layer)
                 pixel = glm::vec4(glm::vec3(pixel) + (1.0f - pixel.a) * k_sky,
                                   pixel.a + (1.0f - pixel.a));
-            save("layer_own", own, k_size);
-            save("layer_laid_over", layer, k_size);
+            save("layer_own", own, k_backdrop_size);
+            save("layer_laid_over", layer, k_backdrop_size);
             CHECK(differing(own, layer) == 0.0);
             CHECK(differing(own, over) == 0.0);
         }
@@ -491,7 +492,7 @@ TEST_CASE("light above 1 stays in targets of floats") {
     const Place place;
     Scene scene = place.scene(k_views[0].projection);
     scene.palette.background = {5.0f, 0.5f, 2.0f};
-    Renderer renderer(gpu->context(), k_plain);
+    Renderer renderer(gpu->context(), k_backdrop_plain);
     Host host(gpu->context(), k_views[0], 1);
     const std::vector<glm::vec4> own =
         host.draw(renderer, scene, {}, host.target(PictureUse::whole, false));
@@ -501,19 +502,20 @@ TEST_CASE("light above 1 stays in targets of floats") {
 TEST_CASE("jitter by whole pixels moves the picture by whole pixels") {
     RIMLINE_OPEN_GPU(gpu);
     const Place place;
-    Renderer renderer(gpu->context(), k_plain);
+    Renderer renderer(gpu->context(), k_backdrop_plain);
     Host host(gpu->context(), k_views[0], 1);
     Scene scene = place.scene(k_views[0].projection);
     const std::vector<glm::vec4> still =
         host.draw(renderer, scene, {}, host.target(PictureUse::whole, false));
-    scene.camera.projection->shift += glm::dvec2(2.0 * 3 / k_width, 2.0 * 5 / k_height);
+    scene.camera.projection->shift +=
+        glm::dvec2(2.0 * 3 / k_backdrop_width, 2.0 * 5 / k_backdrop_height);
     const std::vector<glm::vec4> moved =
         host.draw(renderer, scene, {}, host.target(PictureUse::whole, false));
     std::vector<glm::vec4> a, b;
-    for (std::uint32_t y = 0; y + 5 < k_height; ++y)
-        for (std::uint32_t x = 0; x + 3 < k_width; ++x) {
-            a.push_back(still[y * k_width + x]);
-            b.push_back(moved[(y + 5) * k_width + x + 3]);
+    for (std::uint32_t y = 0; y + 5 < k_backdrop_height; ++y)
+        for (std::uint32_t x = 0; x + 3 < k_backdrop_width; ++x) {
+            a.push_back(still[y * k_backdrop_width + x]);
+            b.push_back(moved[(y + 5) * k_backdrop_width + x + 3]);
         }
     CHECK(differing(a, b, 0.02f) < 0.002);
     CHECK(differing(still, moved) > 0.1);
@@ -524,23 +526,23 @@ TEST_CASE("a frame in a part of a picture leaves the rest as it was") {
     const Place place;
     const HostView& view = k_views[0];
     const Scene scene = place.scene(view.projection);
-    Renderer renderer(gpu->context(), k_plain);
+    Renderer renderer(gpu->context(), k_backdrop_plain);
     Host host(gpu->context(), view, 1);
     const std::vector<glm::vec4> own =
         host.draw(renderer, scene, {}, host.target(PictureUse::whole, false));
-    constexpr VkExtent2D k_large{k_width + 60, k_height + 40};
+    constexpr VkExtent2D k_large{k_backdrop_width + 60, k_backdrop_height + 40};
     Host large(gpu->context(), view, 1, k_large);
     for (const PictureUse use : {PictureUse::whole, PictureUse::layer, PictureUse::over}) {
         CAPTURE(static_cast<int>(use));
         PictureTarget target = large.target(use, false);
-        target.extent = k_size;
+        target.extent = k_backdrop_size;
         target.corner = {37, 21};
         const std::vector<glm::vec4> all = large.draw(renderer, scene, {}, target);
         std::vector<glm::vec4> part;
         for (std::uint32_t y = 0; y < k_large.height; ++y)
             for (std::uint32_t x = 0; x < k_large.width; ++x) {
                 const glm::vec4& pixel = all[y * k_large.width + x];
-                if (x >= 37 && x < 37 + k_width && y >= 21 && y < 21 + k_height)
+                if (x >= 37 && x < 37 + k_backdrop_width && y >= 21 && y < 21 + k_backdrop_height)
                     part.push_back(use == PictureUse::layer
                                        ? pixel + (1.0f - pixel.a) * glm::vec4(k_sky, 1.0f)
                                        : pixel);

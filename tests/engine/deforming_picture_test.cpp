@@ -15,7 +15,7 @@
 namespace rimline {
 namespace {
 
-constexpr std::uint32_t k_side = 160;
+constexpr std::uint32_t k_deforming_picture_side = 160;
 
 // A model, and a ground that catches its shadow.
 struct Stage {
@@ -58,7 +58,8 @@ std::size_t differing(const Picture& a, const Picture& b, int slack) {
     return count;
 }
 
-TEST_CASE("a mesh that deforms to where it is gives the picture of one that does not") {
+TEST_CASE("a mesh that deforms to where it is gives the picture of one that does not" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     // A solid, an open sheet, and a mesh with edges of every class.
     for (const MeshSource& source : {make_built_in_shape("knot", 3000),
@@ -68,12 +69,14 @@ TEST_CASE("a mesh that deforms to where it is gives the picture of one that does
         for (const Style style : {Style::mask, Style::toon, Style::ink}) {
             CAPTURE(static_cast<int>(style));
             Scene scene = stage.scene(style);
-            const Picture still = renderer.render(scene, k_side, k_side);
+            const Picture still =
+                renderer.render(scene, k_deforming_picture_side, k_deforming_picture_side);
             const FrameReport expected = renderer.report();
             Wave wave = default_wave(stage.model.mesh, {0, 1, 0}, 0.4);
             wave.amplitude = 0.0;
             deform(scene, stage.model.mesh, wave);
-            const Picture deformed = renderer.render(scene, k_side, k_side);
+            const Picture deformed =
+                renderer.render(scene, k_deforming_picture_side, k_deforming_picture_side);
             // Normals are rounded elsewhere, which tones show here and there.
             CHECK(differing(still, deformed, style == Style::mask ? 0 : 2) <=
                   (style == Style::mask ? 0u : 20u));
@@ -109,7 +112,8 @@ TEST_CASE("frames of a moving mesh, a moving camera and light equal those of mes
             Scene scene = scene_at(frame);
             const std::vector<glm::vec3> positions = positions_at(frame);
             deform(scene, mesh, MovedPositions{positions, mesh.center(), 1.5 * mesh.radius()});
-            live.submit(scene, k_side, k_side);  // Copies the positions.
+            live.submit(scene, k_deforming_picture_side,
+                        k_deforming_picture_side);  // Copies the positions.
         }
         if (frame > 0) {
             pictures.push_back(live.finish());
@@ -123,7 +127,8 @@ TEST_CASE("frames of a moving mesh, a moving camera and light equal those of mes
         Scene scene = scene_at(frame);
         scene.instances[0].octree = &anew.octree;
         Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
-        const Picture expected = renderer.render(scene, k_side, k_side);
+        const Picture expected =
+            renderer.render(scene, k_deforming_picture_side, k_deforming_picture_side);
         tests::save_picture("deformed_" + std::to_string(frame),
                             pictures[static_cast<std::size_t>(frame)], {});
         tests::save_picture("built_anew_" + std::to_string(frame), expected, {});
@@ -159,18 +164,22 @@ Scene stack_scene(const Stage& stage) {
 }
 
 TEST_CASE(
-    "the shadow of a mesh that deforms is right with 254 triangles in a row, and wraps with 256") {
+    "the shadow of a mesh that deforms is right with 254 triangles in a row and wraps with 256" *
+    doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     for (const int sheets : {127, 128, 200, 254, 256}) {
         CAPTURE(sheets);
         const Stage stage(stack(sheets));
         Scene scene = stack_scene(stage);
         Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
-        const Picture expected = renderer.render(scene, k_side, k_side);
+        const Picture expected =
+            renderer.render(scene, k_deforming_picture_side, k_deforming_picture_side);
         deform(scene, stage.model.mesh,
                MovedPositions{stage.model.mesh.positions(), stage.model.mesh.center(),
                               stage.model.mesh.radius()});
-        const std::size_t wrong = differing(expected, renderer.render(scene, k_side, k_side), 0);
+        const std::size_t wrong = differing(
+            expected, renderer.render(scene, k_deforming_picture_side, k_deforming_picture_side),
+            0);
         if (sheets <= 254)
             CHECK(wrong == 0);
         else
@@ -187,12 +196,15 @@ TEST_CASE("with has_deep_shadows any number of triangles may be in a row at rest
         const Mesh& mesh = stage.model.mesh;
         Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
         Scene scene = stack_scene(stage);
-        const Picture expected = renderer.render(scene, k_side, k_side);
+        const Picture expected =
+            renderer.render(scene, k_deforming_picture_side, k_deforming_picture_side);
         scene.instances[0].has_deep_shadows = true;
         Wave still = default_wave(mesh, {0, 1, 0}, 0.3);
         still.amplitude = 0.0;
         deform(scene, mesh, still);
-        CHECK(differing(expected, renderer.render(scene, k_side, k_side), 0) == 0);
+        CHECK(differing(expected,
+                        renderer.render(scene, k_deforming_picture_side, k_deforming_picture_side),
+                        0) == 0);
         CHECK((renderer.report().shadows[0].bound > 254) == (sheets > 254));
         // The same renderer goes on as the sheets are sheared.
         for (int frame = 1; frame <= 2; ++frame) {
@@ -206,16 +218,19 @@ TEST_CASE("with has_deep_shadows any number of triangles may be in a row at rest
             rebuilt.instances[0].deforming = nullptr;
             rebuilt.instances[0].octree = &anew.octree;
             Renderer fresh(gpu->context(), {.samples = 1, .scale = 1});
-            const Picture still_picture = fresh.render(rebuilt, k_side, k_side);
+            const Picture still_picture =
+                fresh.render(rebuilt, k_deforming_picture_side, k_deforming_picture_side);
             deform(scene, mesh,
                    MovedPositions{anew.mesh.positions(), mesh.center(), 2.0 * mesh.radius()});
-            const Picture picture = renderer.render(scene, k_side, k_side);
+            const Picture picture =
+                renderer.render(scene, k_deforming_picture_side, k_deforming_picture_side);
             // As of meshes built anew above.
             CHECK(differing(still_picture, picture, 2) <= 12);
             CHECK(differing(expected, picture, 2) > 100);
             scene.instances[0].has_deep_shadows = false;
-            const std::size_t shallow =
-                differing(still_picture, renderer.render(scene, k_side, k_side), 2);
+            const std::size_t shallow = differing(
+                still_picture,
+                renderer.render(scene, k_deforming_picture_side, k_deforming_picture_side), 2);
             CHECK((shallow <= 12) == (sheets % 256 != 0));
             scene.instances[0].has_deep_shadows = true;
         }
@@ -235,11 +250,14 @@ TEST_CASE("a deep shadow is bounded where the mesh has moved to, and not where i
     REQUIRE(row_mesh.vertex_count() == stacked.vertex_count());
     Scene scene = stack_scene(stage);
     Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
-    const Picture expected = renderer.render(scene, k_side, k_side);
+    const Picture expected =
+        renderer.render(scene, k_deforming_picture_side, k_deforming_picture_side);
     deform(scene, row_mesh,
            MovedPositions{stacked.positions(), stacked.center(), stacked.radius()});
     scene.instances[0].has_deep_shadows = true;
-    CHECK(differing(expected, renderer.render(scene, k_side, k_side), 0) == 0);
+    CHECK(differing(expected,
+                    renderer.render(scene, k_deforming_picture_side, k_deforming_picture_side),
+                    0) == 0);
     CHECK(renderer.report().shadows[0].bound >= k_sheets);
     CHECK(renderer.report().shadows[0].runs >= 2);
 }
@@ -256,9 +274,12 @@ TEST_CASE("waves that the CPU computes for deep shadows give the picture of thos
         deform(scene, stage.model.mesh, default_wave(stage.model.mesh, {0, 1, 0}, turns));
         Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
         scene.instances[0].has_deep_shadows = false;
-        const Picture expected = renderer.render(scene, k_side, k_side);
+        const Picture expected =
+            renderer.render(scene, k_deforming_picture_side, k_deforming_picture_side);
         scene.instances[0].has_deep_shadows = true;
-        CHECK(differing(expected, renderer.render(scene, k_side, k_side), 2) <= 12);
+        CHECK(differing(expected,
+                        renderer.render(scene, k_deforming_picture_side, k_deforming_picture_side),
+                        2) <= 12);
         for (const ShadowReport& shadow : renderer.report().shadows) CHECK(shadow.bound <= 254);
     }
 }
@@ -269,25 +290,30 @@ TEST_CASE("instances come, deform, rest and go without a trace of each other") {
     const Mesh& mesh = stage.model.mesh;
     Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
     const Scene still = stage.scene(Style::ink);
-    const Picture expected = renderer.render(still, k_side, k_side);
+    const Picture expected =
+        renderer.render(still, k_deforming_picture_side, k_deforming_picture_side);
     Scene waving = stage.scene(Style::ink);
     deform(waving, mesh, default_wave(mesh, {0, 1, 0}, 0.1));
     // The same mesh twice, deformed differently.
     waving.instances.push_back(waving.instances[0]);
     waving.instances.back().translation = {0.0, 0.0, -2.0};
     waving.instances.back().deformation = default_wave(mesh, {0, 1, 0}, 0.6);
-    const Picture first = renderer.render(waving, k_side, k_side);
+    const Picture first =
+        renderer.render(waving, k_deforming_picture_side, k_deforming_picture_side);
     CHECK(differing(expected, first, 2) > 500);
-    CHECK(renderer.render(waving, k_side, k_side).rgba == first.rgba);
+    CHECK(renderer.render(waving, k_deforming_picture_side, k_deforming_picture_side).rgba ==
+          first.rgba);
     Scene alone = waving;
     alone.lights.pop_back();
-    renderer.render(alone, k_side, k_side);
-    CHECK(renderer.render(waving, k_side, k_side).rgba == first.rgba);
-    CHECK(renderer.render(still, k_side, k_side).rgba == expected.rgba);
+    renderer.render(alone, k_deforming_picture_side, k_deforming_picture_side);
+    CHECK(renderer.render(waving, k_deforming_picture_side, k_deforming_picture_side).rgba ==
+          first.rgba);
+    CHECK(renderer.render(still, k_deforming_picture_side, k_deforming_picture_side).rgba ==
+          expected.rgba);
     Scene without_lines = waving;
     without_lines.lines = false;
     without_lines.shadows = false;
-    renderer.render(without_lines, k_side, k_side);
+    renderer.render(without_lines, k_deforming_picture_side, k_deforming_picture_side);
     CHECK(renderer.report().silhouette + renderer.report().shadow_edges == 0);
 }
 
@@ -302,16 +328,17 @@ TEST_CASE("changes of a mesh that deforms count from the first frame that ran") 
     alone.instances.pop_back();
 
     Renderer probe(gpu->context(), {.samples = 1, .scale = 1});
-    probe.render(alone, k_side, k_side);
+    probe.render(alone, k_deforming_picture_side, k_deforming_picture_side);
     const std::uint64_t enough = probe.stream_bytes();
-    probe.render(both, k_side, k_side);
+    probe.render(both, k_deforming_picture_side, k_deforming_picture_side);
     const std::uint64_t too_little = probe.stream_bytes() - 1;
     REQUIRE(enough < too_little);
 
     Renderer renderer(gpu->context(),
                       {.samples = 1, .scale = 1, .stream_memory_bytes = too_little});
-    CHECK_THROWS_AS(renderer.render(both, k_side, k_side), Error);
-    renderer.render(alone, k_side, k_side);
+    CHECK_THROWS_AS(renderer.render(both, k_deforming_picture_side, k_deforming_picture_side),
+                    Error);
+    renderer.render(alone, k_deforming_picture_side, k_deforming_picture_side);
     CHECK(renderer.report().camera.edges > 0);
     CHECK(renderer.report().camera.flips == 0);
     CHECK(renderer.report().camera.added == 0);

@@ -15,7 +15,7 @@ using namespace rimline;
 
 namespace {
 
-constexpr std::uint32_t k_size = 96;
+constexpr std::uint32_t k_frozen_silhouette_size = 96;
 
 Scene scene_of(const HoughOctree& octree) {
     Scene scene{.camera = {.eye = {0, 0, 4}, .target = {0, 0, 0}, .up = {0, 1, 0}},
@@ -34,10 +34,12 @@ std::uint32_t edges_from(const HoughOctree& octree, const glm::vec3& eye) {
 // Rows of the sphere's middle in which a line runs within three pixels of the middle column.
 std::uint32_t rows_with_line(const Picture& picture) {
     std::uint32_t rows = 0;
-    for (std::uint32_t y = k_size / 4; y < 3 * k_size / 4; ++y) {
+    for (std::uint32_t y = k_frozen_silhouette_size / 4; y < 3 * k_frozen_silhouette_size / 4;
+         ++y) {
         bool dark = false;
-        for (std::uint32_t x = k_size / 2 - 3; x < k_size / 2 + 3; ++x)
-            dark = dark || picture.rgba[4 * (y * k_size + x)] < 128;
+        for (std::uint32_t x = k_frozen_silhouette_size / 2 - 3;
+             x < k_frozen_silhouette_size / 2 + 3; ++x)
+            dark = dark || picture.rgba[4 * (y * k_frozen_silhouette_size + x)] < 128;
         rows += dark;
     }
     return rows;
@@ -57,11 +59,11 @@ TEST_CASE("a frozen silhouette is its own point's, wherever the camera goes, and
     for (const double angle_deg : {0.0, 40.0, 170.0}) {
         const double angle = glm::radians(angle_deg);
         scene.camera.eye = 4.0 * glm::dvec3(std::sin(angle), 0.2, std::cos(angle));
-        renderer.render(scene, k_size, k_size);
+        renderer.render(scene, k_frozen_silhouette_size, k_frozen_silhouette_size);
         CHECK(renderer.report().silhouette == frozen);
     }
     scene.silhouette_camera.reset();
-    renderer.render(scene, k_size, k_size);
+    renderer.render(scene, k_frozen_silhouette_size, k_frozen_silhouette_size);
     CHECK(renderer.report().silhouette == edges_from(octree, glm::vec3(scene.camera.eye)));
     CHECK(renderer.report().silhouette != frozen);
 }
@@ -72,13 +74,17 @@ TEST_CASE("a frozen silhouette runs over the surface that faces the camera witho
     const HoughOctree octree(mesh);
     Scene scene = scene_of(octree);
     Renderer renderer(gpu->context());
-    CHECK(rows_with_line(renderer.render(scene, k_size, k_size)) == 0);
+    CHECK(rows_with_line(
+              renderer.render(scene, k_frozen_silhouette_size, k_frozen_silhouette_size)) == 0);
     // From far to the side: the circle between the camera and the back.
     for (const double side : {-1.0, 1.0}) {
         scene.silhouette_camera = Camera{.eye = {side * 100.0, 0.0, 0.0}, .target = {0, 0, 0}};
-        CHECK(rows_with_line(renderer.render(scene, k_size, k_size)) == k_size / 2);
+        CHECK(rows_with_line(
+                  renderer.render(scene, k_frozen_silhouette_size, k_frozen_silhouette_size)) ==
+              k_frozen_silhouette_size / 2);
     }
     // The half of it behind the sphere is hidden: seen from the same point, nothing but the outline.
     scene.silhouette_camera = scene.camera;
-    CHECK(rows_with_line(renderer.render(scene, k_size, k_size)) == 0);
+    CHECK(rows_with_line(
+              renderer.render(scene, k_frozen_silhouette_size, k_frozen_silhouette_size)) == 0);
 }

@@ -24,7 +24,7 @@ namespace {
 
 using namespace rimline::tests;
 
-constexpr std::uint32_t k_size = 256;
+constexpr std::uint32_t k_line_path_size = 256;
 
 // Lines alone, hidden ones and creases among them.
 Scene line_scene(const Model& model, bool orthographic) {
@@ -44,7 +44,7 @@ Scene line_scene(const Model& model, bool orthographic) {
 
 Picture draw(const Gpu& gpu, const Scene& scene, LinePath path) {
     Renderer renderer(gpu.context(), {.samples = 1, .scale = 1, .line_path = path});
-    return renderer.render(scene, k_size, k_size);
+    return renderer.render(scene, k_line_path_size, k_line_path_size);
 }
 
 std::size_t differing_pixels(const Picture& a, const Picture& b) {
@@ -117,7 +117,8 @@ TEST_CASE(
     CHECK_FALSE(differ_within(before, Picture{100, 99, {}}, loose));
 }
 
-TEST_CASE("the bound of line paths finds a line that is missing, thin or elsewhere") {
+TEST_CASE("the bound of line paths finds a line that is missing thin or elsewhere" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     const LinePathBound bound = line_path_bound(VK_DRIVER_ID_NVIDIA_PROPRIETARY);
     const Model model(make_built_in_shape("knot"));
@@ -229,7 +230,7 @@ TEST_CASE("a device without geometry shaders draws the same picture, lines and s
     const Picture expected = draw(*gpu, scene, LinePath::geometry);
     const PlainDevice plain(*gpu);
     Renderer renderer(plain.context(), {.samples = 1, .scale = 1});
-    CHECK(differ_within(expected, renderer.render(scene, k_size, k_size),
+    CHECK(differ_within(expected, renderer.render(scene, k_line_path_size, k_line_path_size),
                         line_path_bound(gpu->context().driver)));
 }
 

@@ -25,14 +25,14 @@ namespace {
 
 using namespace rimline::tests;
 
-constexpr std::uint32_t k_size = 256;
+constexpr std::uint32_t k_line_style_size = 256;
 
 // The picture is 2 high: 128 pixels to the unit.
-constexpr double k_height = 2.0;
-constexpr double k_pixels = k_size / k_height;
+constexpr double k_line_style_height = 2.0;
+constexpr double k_line_style_pixels = k_line_style_size / k_line_style_height;
 
 Scene flat_scene(const HoughOctree& octree) {
-    Scene scene{.camera = {.eye = {0, 0, 5}, .ortho_height = k_height},
+    Scene scene{.camera = {.eye = {0, 0, 5}, .ortho_height = k_line_style_height},
                 .palette = {.background = glm::vec3(1.0f),
                             .ink = glm::vec3(0.0f),
                             .shade = glm::vec3(1.0f)},
@@ -43,19 +43,7 @@ Scene flat_scene(const HoughOctree& octree) {
 
 Picture draw(const Gpu& gpu, const Scene& scene, const RendererOptions& options = {}) {
     Renderer renderer(gpu.context(), options);
-    return renderer.render(scene, k_size, k_size);
-}
-
-double ink_at(const Picture& picture, std::size_t x, std::size_t y) {
-    return 1.0 - linear_from_srgb(picture.rgba[4 * (y * picture.width + x)]);
-}
-
-// Ink of a whole picture, in pixels.
-double ink_of(const Picture& picture) {
-    double ink = 0.0;
-    for (std::size_t y = 0; y < picture.height; ++y)
-        for (std::size_t x = 0; x < picture.width; ++x) ink += ink_at(picture, x, y);
-    return ink;
+    return renderer.render(scene, k_line_style_size, k_line_style_size);
 }
 
 // doctest's Approx adds 1 to what it takes a share of; shares of less than that would pass all.
@@ -74,7 +62,7 @@ TEST_CASE("a line's ink is its length times its width and the area of its round 
     RIMLINE_OPEN_GPU(gpu);
     for (const glm::vec2 to : {glm::vec2(0.6f, 0.0f), {0.5f, 0.31f}, {0.2f, -0.55f}}) {
         const Model model(needle(-to, to));
-        const double length_px = 2.0 * k_pixels * glm::length(to);
+        const double length_px = 2.0 * k_line_style_pixels * glm::length(to);
         for (const float width_px : {0.4f, 1.0f, 2.5f, 9.0f})
             for (const std::uint32_t scale : {1u, 2u}) {
                 CAPTURE(to.y);
@@ -100,14 +88,15 @@ TEST_CASE("a line has the same ink at every angle, wherever it lies between pixe
             CAPTURE(degrees);
             CAPTURE(between);
             const glm::vec2 along(std::cos(glm::radians(degrees)), std::sin(glm::radians(degrees)));
-            const glm::vec2 aside = float(between / k_pixels) * glm::vec2(-along.y, along.x);
+            const glm::vec2 aside =
+                float(between / k_line_style_pixels) * glm::vec2(-along.y, along.x);
             const Model& model =
                 models.emplace_back(needle(aside - 0.8f * along, aside + 0.8f * along));
             Scene scene = flat_scene(model.octree);
             scene.line_width_px = k_width_px;
-            const double expected =
-                1.6 * k_pixels * k_width_px + 0.25 * std::numbers::pi * k_width_px * k_width_px;
-            const double ink = ink_of(renderer.render(scene, k_size, k_size));
+            const double expected = 1.6 * k_line_style_pixels * k_width_px +
+                                    0.25 * std::numbers::pi * k_width_px * k_width_px;
+            const double ink = ink_of(renderer.render(scene, k_line_style_size, k_line_style_size));
             CHECK(is_close(ink, expected, 0.008));
         }
 }
@@ -134,12 +123,13 @@ TEST_CASE("lines that meet at any angle join round, without a gap and without a 
             return glm::distance(p, t * to);
         };
         std::size_t wrong = 0;
-        for (std::size_t y = 0; y < k_size; ++y)
-            for (std::size_t x = 0; x < k_size; ++x) {
-                const glm::dvec2 p((double(x) + 0.5) / k_pixels - 1.0,
-                                   1.0 - (double(y) + 0.5) / k_pixels);
-                const double away = k_pixels * std::min(from_segment(p, {0.6, 0}),
-                                                        from_segment(p, glm::dvec2(end)));
+        for (std::size_t y = 0; y < k_line_style_size; ++y)
+            for (std::size_t x = 0; x < k_line_style_size; ++x) {
+                const glm::dvec2 p((double(x) + 0.5) / k_line_style_pixels - 1.0,
+                                   1.0 - (double(y) + 0.5) / k_line_style_pixels);
+                const double away =
+                    k_line_style_pixels *
+                    std::min(from_segment(p, {0.6, 0}), from_segment(p, glm::dvec2(end)));
                 const double ink = ink_at(picture, x, y);
                 wrong += (away < 0.5 * k_width_px - 1.0 && ink < 0.99) ||
                          (away > 0.5 * k_width_px + 1.0 && ink > 0.01);
@@ -187,14 +177,14 @@ TEST_CASE("a line is whole on its own surface at every slant and hidden by what 
             const double angle = glm::radians(degrees);
             Scene scene = flat_scene(hinge.octree);
             scene.camera.eye = {0, 5 * std::sin(angle), 5 * std::cos(angle)};
-            scene.camera.fov_y_deg = 2.0 * glm::degrees(std::atan(k_height / 10.0));
+            scene.camera.fov_y_deg = 2.0 * glm::degrees(std::atan(k_line_style_height / 10.0));
             if (!orthographic) scene.camera.ortho_height = 0.0;
             scene.line_width_px = 2.0f;
             const double borders = ink_of(draw(*gpu, scene));
             scene.crease_angle_deg = 15.0f;
             const double creased = ink_of(draw(*gpu, scene));
             // The crease is as wide as the model; its ends lie on borders.
-            CHECK(is_close(creased - borders, 2.0 * (k_pixels - 2.0), 0.06));
+            CHECK(is_close(creased - borders, 2.0 * (k_line_style_pixels - 2.0), 0.06));
 
             // A plate over the hinge, a ten-thousandth of the distance before the crease.
             SceneInstance before{.octree = &plate.octree, .has_lines = false};
@@ -238,12 +228,14 @@ TEST_CASE("dashes of hidden lines take their share and join however finely a lin
                 const Model& model = models.emplace_back(hidden_needle(-to, to, parts));
                 Scene scene = flat_scene(model.octree);
                 scene.line_width_px = 2.0f;
-                CHECK(ink_of(renderer.render(scene, k_size, k_size)) < 1.0);
+                CHECK(ink_of(renderer.render(scene, k_line_style_size, k_line_style_size)) < 1.0);
                 scene.hidden_line_strength = 1.0f;
-                const Picture dashed = renderer.render(scene, k_size, k_size);
+                const Picture dashed = renderer.render(scene, k_line_style_size, k_line_style_size);
                 scene.dash_gap_px = 0.0f;
-                const double solid_ink = ink_of(renderer.render(scene, k_size, k_size));
-                CHECK(is_close(solid_ink, 1.6 * k_pixels * 2.0 + std::numbers::pi, 0.01));
+                const double solid_ink =
+                    ink_of(renderer.render(scene, k_line_style_size, k_line_style_size));
+                CHECK(
+                    is_close(solid_ink, 1.6 * k_line_style_pixels * 2.0 + std::numbers::pi, 0.01));
                 // The ends may each cut a dash or a gap short.
                 const double share = ink_of(dashed) / solid_ink;
                 CAPTURE(share);
@@ -290,7 +282,7 @@ TEST_CASE(
     CHECK(creases(rough, true) < creases(rough, false) / 10);
 }
 
-TEST_CASE("hatching has the tone it stands for, at every distance") {
+TEST_CASE("hatching has the tone it stands for at every distance" * doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     const Model model(
         MeshSource{{{-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0}}, {{0, 1, 2}, {0, 2, 3}}});
@@ -303,7 +295,8 @@ TEST_CASE("hatching has the tone it stands for, at every distance") {
             scene.style = Style::hatch;
             scene.lines = false;
             scene.palette.shade = glm::vec3(left);  // Without lights everything is in shadow.
-            const double ink = ink_of(draw(*gpu, scene)) / (double{k_size} * k_size);
+            const double ink =
+                ink_of(draw(*gpu, scene)) / (double{k_line_style_size} * k_line_style_size);
             CHECK(is_close(ink, 1.0 - left, 0.08));
         }
 }
@@ -321,11 +314,11 @@ TEST_CASE("the stroke through the center of a mesh has one width on both sides o
     const Picture picture = draw(*gpu, scene, {.samples = 1, .scale = 1});
     // As hatch.glsl says, of a stroke whose random number is 0.
     const double across = std::hypot(0.5345, 0.8018);  // Of the first layer, on the screen.
-    const double level = std::log2(80.0 * across / k_pixels);
-    const double pixels = std::exp2(std::floor(level)) / across * k_pixels;
+    const double level = std::log2(80.0 * across / k_line_style_pixels);
+    const double pixels = std::exp2(std::floor(level)) / across * k_line_style_pixels;
     const double width = 1.6 * k_density * pixels / (2.0 - (level - std::floor(level)));
     // Along a row, from the middle of the stroke.
-    constexpr std::size_t k_row = k_size / 2;
+    constexpr std::size_t k_row = k_line_style_size / 2;
     const auto middle = k_row + static_cast<std::size_t>(0.08 * pixels * across / 0.5345);
     REQUIRE(ink_at(picture, middle, k_row) == 1.0);
     double seen = 0.0;

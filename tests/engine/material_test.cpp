@@ -19,9 +19,9 @@ namespace {
 
 using namespace rimline::tests;
 
-constexpr std::uint32_t k_width = 240;
-constexpr std::uint32_t k_height = 80;
-constexpr RendererOptions k_plain{.samples = 1, .scale = 2};
+constexpr std::uint32_t k_material_width = 240;
+constexpr std::uint32_t k_material_height = 80;
+constexpr RendererOptions k_material_plain{.samples = 1, .scale = 2};
 
 constexpr std::array<glm::vec3, 3> k_inks{{{0.8f, 0.05f, 0.02f}, {0.0f, 0.3f, 0.7f}, {0, 0, 0}}};
 constexpr std::array k_paths{LinePath::geometry, LinePath::pulling, LinePath::all_edges,
@@ -63,10 +63,10 @@ Scene inked(Scene scene, const glm::vec3& ink) {
     return scene;
 }
 
-Picture draw(const Gpu& gpu, const Scene& scene, LinePath path) {
-    RendererOptions options = k_plain;
+Picture draw_materials(const Gpu& gpu, const Scene& scene, LinePath path) {
+    RendererOptions options = k_material_plain;
     options.line_path = path;
-    return Renderer(gpu.context(), options).render(scene, k_width, k_height);
+    return Renderer(gpu.context(), options).render(scene, k_material_width, k_material_height);
 }
 
 int channel(const Picture& picture, std::size_t x, std::size_t y, std::size_t c) {
@@ -90,36 +90,38 @@ TEST_CASE("lines have the color of their material in every style and on every li
     for (const Style style : {Style::ink, Style::toon, Style::blueprint, Style::hatch}) {
         CAPTURE(static_cast<int>(style));
         const Scene scene = scene_of(model, style, 2.4);
-        Renderer renderer(gpu->context(), k_plain);
-        const Picture colored = renderer.render(scene, k_width, k_height);
+        Renderer renderer(gpu->context(), k_material_plain);
+        const Picture colored = renderer.render(scene, k_material_width, k_material_height);
         save_picture("material_" + std::to_string(static_cast<int>(style)), colored, {});
         std::array<Picture, 3> alone;
         for (std::size_t i = 0; i < 3; ++i)
-            alone[i] = renderer.render(inked(scene, k_inks[i]), k_width, k_height);
+            alone[i] =
+                renderer.render(inked(scene, k_inks[i]), k_material_width, k_material_height);
         for (std::size_t third = 0; third < 3; ++third) {
             CAPTURE(third);
-            const std::size_t begin = third * k_width / 3;
-            const std::size_t end = begin + k_width / 3;
+            const std::size_t begin = third * k_material_width / 3;
+            const std::size_t end = begin + k_material_width / 3;
             // Ink that is laid on the surfaces first is rounded there to half floats, to 11 bits.
             CHECK(difference(colored, alone[third], begin, end) <= 1);
             CHECK(difference(colored, alone[(third + 1) % 3], begin, end) > 60);
         }
         for (const LinePath path : k_paths) {
             CAPTURE(static_cast<int>(path));
-            CHECK(draw(*gpu, scene, path).rgba == colored.rgba);
+            CHECK(draw_materials(*gpu, scene, path).rgba == colored.rgba);
         }
     }
 }
 
-TEST_CASE("lines of several colors over one another are the same pixels on every line path") {
+TEST_CASE("lines of several colors over one another are the same pixels on every line path" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     const Model model(make_built_in_shape("spring", 2000));
     for (const Style style : {Style::ink, Style::blueprint, Style::hatch}) {
         const Scene scene = scene_of(model, style, 0.4);
-        const Picture expected = draw(*gpu, scene, LinePath::geometry);
+        const Picture expected = draw_materials(*gpu, scene, LinePath::geometry);
         for (const LinePath path : k_paths) {
             CAPTURE(static_cast<int>(path));
-            CHECK(draw(*gpu, scene, path).rgba == expected.rgba);
+            CHECK(draw_materials(*gpu, scene, path).rgba == expected.rgba);
         }
     }
 }
@@ -130,9 +132,9 @@ TEST_CASE("a material whose lines are the palette's ink draws as one that names 
     const Scene unnamed = inked(scene_of(model, Style::blueprint, 2.4), k_inks[0]);
     Scene named = unnamed;
     for (SceneInstance& instance : named.instances) instance.material.line_color = k_inks[0];
-    Renderer renderer(gpu->context(), k_plain);
-    CHECK(renderer.render(named, k_width, k_height).rgba ==
-          renderer.render(unnamed, k_width, k_height).rgba);
+    Renderer renderer(gpu->context(), k_material_plain);
+    CHECK(renderer.render(named, k_material_width, k_material_height).rgba ==
+          renderer.render(unnamed, k_material_width, k_material_height).rgba);
 }
 
 // Two upright rectangles, borders all around, whose outlines cross at right angles.
@@ -157,7 +159,7 @@ TEST_CASE("where lines cross, that of the color named later lies over the other"
     for (const Model* model : {&wide, &high}) scene.instances.push_back({.octree = &model->octree});
     scene.instances[0].material.line_color = glm::vec3(1, 0, 0);
     scene.instances[1].material.line_color = glm::vec3(0, 0, 1);
-    const Picture picture = Renderer(gpu->context(), k_plain).render(scene, 128, 128);
+    const Picture picture = Renderer(gpu->context(), k_material_plain).render(scene, 128, 128);
     const auto is = [&](double x, double y, std::array<int, 3> color) {
         const auto column = static_cast<std::size_t>(64.0 + 64.0 * x);
         const auto row = static_cast<std::size_t>(64.0 - 64.0 * y);
@@ -173,7 +175,7 @@ TEST_CASE("where lines cross, that of the color named later lies over the other"
     for (const double x : {-0.3, 0.3})
         for (const double y : {-0.3, 0.3}) CHECK(is(x, y, k_blue));
     std::swap(scene.instances[0], scene.instances[1]);
-    const Picture swapped = Renderer(gpu->context(), k_plain).render(scene, 128, 128);
+    const Picture swapped = Renderer(gpu->context(), k_material_plain).render(scene, 128, 128);
     CHECK(channel(swapped, 64 + 19, 64 - 19, 0) == 255);
     CHECK(channel(swapped, 64 + 19, 64 - 19, 2) == 0);
 }
@@ -229,26 +231,27 @@ TEST_CASE("lines have shades of the materials of their faces while the model def
                     scene.instances[0].material.line_color = line_shade(surfaces[i], on_dark);
                 else
                     scene.instances[0].material.line_color.reset();
-                alone[i] = draw(*gpu, scene, LinePath::geometry);
+                alone[i] = draw_materials(*gpu, scene, LinePath::geometry);
             }
             scene.instances[0].material.lines_in_mesh_colors = true;
             for (const LinePath path : {LinePath::geometry, LinePath::pulling}) {
-                const Picture colored = draw(*gpu, scene, path);
+                const Picture colored = draw_materials(*gpu, scene, path);
                 save_picture("material_lines", colored, {});
                 for (std::size_t third = 0; third < 3; ++third) {
                     CAPTURE(third);
-                    const std::size_t begin = third * k_width / 3;
-                    const std::size_t end = begin + k_width / 3;
+                    const std::size_t begin = third * k_material_width / 3;
+                    const std::size_t end = begin + k_material_width / 3;
                     CHECK(difference(colored, alone[third], begin, end) <= 1);
                     CHECK(difference(colored, alone[(third + 1) % 3], begin, end) > 20);
                 }
             }
             // Paths that test every edge have one color, as have styles without colors.
-            CHECK((deforms || draw(*gpu, scene, LinePath::all_edges).rgba == alone[2].rgba));
+            CHECK((deforms ||
+                   draw_materials(*gpu, scene, LinePath::all_edges).rgba == alone[2].rgba));
             scene.style = Style::blueprint;
-            const Picture blueprint = draw(*gpu, scene, LinePath::geometry);
+            const Picture blueprint = draw_materials(*gpu, scene, LinePath::geometry);
             scene.instances[0].material.lines_in_mesh_colors = false;
-            CHECK(draw(*gpu, scene, LinePath::geometry).rgba == blueprint.rgba);
+            CHECK(draw_materials(*gpu, scene, LinePath::geometry).rgba == blueprint.rgba);
         }
 }
 
@@ -272,9 +275,9 @@ TEST_CASE("a silhouette has the color of its front face") {
         scene.instances = {
             {.octree = &model.octree,
              .material = {.shows_mesh_colors = false, .lines_in_mesh_colors = true}}};
-        const Picture picture = draw(*gpu, scene, LinePath::geometry);
+        const Picture picture = draw_materials(*gpu, scene, LinePath::geometry);
         // The left side of the square, 20 pixels from the middle.
-        const std::size_t x = k_width / 2 - 20, y = k_height / 2;
+        const std::size_t x = k_material_width / 2 - 20, y = k_material_height / 2;
         CHECK(channel(picture, x, y, side > 0.0 ? 0 : 2) > 100);
         CHECK(channel(picture, x, y, side > 0.0 ? 2 : 0) == 0);
     }

@@ -21,9 +21,9 @@ namespace {
 
 using namespace rimline::tests;
 
-constexpr std::uint32_t k_size = 128;
-constexpr double k_height = 4.0;  // Of the picture.
-constexpr RendererOptions k_plain{.samples = 1, .scale = 1};
+constexpr std::uint32_t k_mesh_color_size = 128;
+constexpr double k_mesh_color_height = 4.0;  // Of the picture.
+constexpr RendererOptions k_mesh_color_plain{.samples = 1, .scale = 1};
 const glm::vec3 k_own(0.6f, 0.3f, 0.1f);  // Of what has no material.
 
 // A cube from -1 to 1 whose sides -x, -y, -z, +x, +y, +z have the colors below; +y has no material.
@@ -58,7 +58,7 @@ MeshSource without_materials(MeshSource source) {
 }
 
 Scene scene_of(const Model& model, Style style, const glm::dvec3& eye, const glm::dvec3& light) {
-    Scene scene{.camera = {.eye = eye, .target = {0, 0, 0}, .ortho_height = k_height},
+    Scene scene{.camera = {.eye = eye, .target = {0, 0, 0}, .ortho_height = k_mesh_color_height},
                 .style = style,
                 .palette = default_palette(style, style_defaults(style).background),
                 .lines = false};
@@ -70,10 +70,10 @@ Scene scene_of(const Model& model, Style style, const glm::dvec3& eye, const glm
 // The side of the cube that a ray through the place (x, y) of the picture meets.
 std::optional<int> side_at(const Camera& camera, double x, double y) {
     const glm::dmat3 world_from_camera = glm::transpose(camera_from_world(camera));
-    const double pixel = k_height / k_size;
+    const double pixel = k_mesh_color_height / k_mesh_color_size;
     const glm::dvec3 from =
-        camera.eye +
-        world_from_camera * glm::dvec3((x - 0.5 * k_size) * pixel, (0.5 * k_size - y) * pixel, 0);
+        camera.eye + world_from_camera * glm::dvec3((x - 0.5 * k_mesh_color_size) * pixel,
+                                                    (0.5 * k_mesh_color_size - y) * pixel, 0);
     const glm::dvec3 along = -world_from_camera[2];
     double enter = -1e9, leave = 1e9;
     int side = 0;
@@ -106,8 +106,8 @@ bool is_color(const Picture& picture, std::size_t x, std::size_t y, const glm::v
 void check_sides(const Picture& picture, const Camera& camera, const glm::vec3& factor) {
     std::array<int, 6> seen{};
     int wrong = 0;
-    for (std::uint32_t y = 0; y < k_size; ++y)
-        for (std::uint32_t x = 0; x < k_size; ++x) {
+    for (std::uint32_t y = 0; y < k_mesh_color_size; ++y)
+        for (std::uint32_t x = 0; x < k_mesh_color_size; ++x) {
             const auto side = side_at(camera, x + 0.5, y + 0.5);
             if (!side) continue;
             bool is_inside = true;
@@ -127,7 +127,7 @@ void check_sides(const Picture& picture, const Camera& camera, const glm::vec3& 
 TEST_CASE("each face has its own color in light and in shade, in every style that shows colors") {
     RIMLINE_OPEN_GPU(gpu);
     const Model cube(colored_cube());
-    Renderer renderer(gpu->context(), k_plain);
+    Renderer renderer(gpu->context(), k_mesh_color_plain);
     for (const glm::dvec3 eye : {glm::dvec3(5, 4, 6), glm::dvec3(-6, -4, -5)})
         for (const Style style : {Style::toon, Style::ink, Style::hatch})
             for (const bool shadows : {false, true}) {
@@ -140,7 +140,8 @@ TEST_CASE("each face has its own color in light and in shade, in every style tha
                     scene.shadows = shadows;
                     // Without shade, hatch has no strokes.
                     if (style == Style::hatch) scene.palette.shade = glm::vec3(1.0f);
-                    const Picture picture = renderer.render(scene, k_size, k_size);
+                    const Picture picture =
+                        renderer.render(scene, k_mesh_color_size, k_mesh_color_size);
                     save_picture("mesh_colors_" + std::to_string(static_cast<int>(style)), picture,
                                  {});
                     check_sides(picture, scene.camera,
@@ -163,11 +164,12 @@ TEST_CASE("colors of corners are interpolated in linear light and multiply that 
             source.materials.corner_colors.push_back(corner(source.positions[v]));
     const Model square(source);
     const Scene scene = scene_of(square, Style::toon, {0, 0, 5}, {0, 0, 1});
-    const Picture picture = Renderer(gpu->context(), k_plain).render(scene, k_size, k_size);
+    const Picture picture = Renderer(gpu->context(), k_mesh_color_plain)
+                                .render(scene, k_mesh_color_size, k_mesh_color_size);
     int wrong = 0;
-    for (std::uint32_t y = 2; y < k_size - 2; ++y)
-        for (std::uint32_t x = 2; x < k_size - 2; ++x) {
-            const float pixel = static_cast<float>(k_height) / k_size;
+    for (std::uint32_t y = 2; y < k_mesh_color_size - 2; ++y)
+        for (std::uint32_t x = 2; x < k_mesh_color_size - 2; ++x) {
+            const float pixel = static_cast<float>(k_mesh_color_height) / k_mesh_color_size;
             const glm::vec3 place((static_cast<float>(x) + 0.5f) * pixel - 2.0f,
                                   2.0f - (static_cast<float>(y) + 0.5f) * pixel, 0);
             wrong += !is_color(picture, x, y, base * corner(place));
@@ -178,7 +180,7 @@ TEST_CASE("colors of corners are interpolated in linear light and multiply that 
 TEST_CASE("thin triangles show no color that their corners do not have") {
     RIMLINE_OPEN_GPU(gpu);
     // A fifth of a pixel wide, more than a pixel apart, oblique: they cover every part of a pixel.
-    constexpr float k_pixel = static_cast<float>(k_height) / k_size;
+    constexpr float k_pixel = static_cast<float>(k_mesh_color_height) / k_mesh_color_size;
     const glm::vec3 low(0.3f, 0.5f, 0.4f), high(0.5f, 0.3f, 0.4f);
     MeshSource source;
     for (float x = -1.9f; x < 1.8f; x += 2.3f * k_pixel) {
@@ -199,8 +201,8 @@ TEST_CASE("thin triangles show no color that their corners do not have") {
     for (const bool shadows : {false, true}) {
         CAPTURE(shadows);
         scene.shadows = shadows;
-        const Picture picture =
-            Renderer(gpu->context(), {.samples = 4, .scale = 1}).render(scene, k_size, k_size);
+        const Picture picture = Renderer(gpu->context(), {.samples = 4, .scale = 1})
+                                    .render(scene, k_mesh_color_size, k_mesh_color_size);
         save_picture("thin_triangles", picture, {});
         int drawn = 0, wrong = 0;
         for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
@@ -221,11 +223,11 @@ TEST_CASE(
     RIMLINE_OPEN_GPU(gpu);
     const Model colored(colored_cube());
     const Model bare(without_materials(colored_cube()));
-    Renderer renderer(gpu->context(), k_plain);
+    Renderer renderer(gpu->context(), k_mesh_color_plain);
     const auto draw = [&](const Model& model, Style style, bool shows_mesh_colors) {
         Scene scene = scene_of(model, style, {5, 4, 6}, {1, 2, 3});
         scene.instances[0].material.shows_mesh_colors = shows_mesh_colors;
-        return renderer.render(scene, k_size, k_size).rgba;
+        return renderer.render(scene, k_mesh_color_size, k_mesh_color_size).rgba;
     };
     for (const Style style :
          {Style::ink, Style::toon, Style::mask, Style::blueprint, Style::hatch}) {
@@ -255,7 +257,7 @@ TEST_CASE("colors take memory of the GPU only where a mesh has some") {
     RIMLINE_OPEN_GPU(gpu);
     const auto uploaded = [&](const MeshSource& source) {
         const Model model(source);
-        Renderer renderer(gpu->context(), k_plain);
+        Renderer renderer(gpu->context(), k_mesh_color_plain);
         renderer.render(scene_of(model, Style::toon, {5, 4, 6}, {1, 2, 3}), 16, 16);
         return renderer.report().bytes_uploaded;
     };
@@ -269,11 +271,12 @@ TEST_CASE("colors take memory of the GPU only where a mesh has some") {
 TEST_CASE("a mesh that deforms keeps the colors of its faces") {
     RIMLINE_OPEN_GPU(gpu);
     const Model cube(colored_cube());
-    Renderer renderer(gpu->context(), k_plain);
+    Renderer renderer(gpu->context(), k_mesh_color_plain);
     Scene scene = scene_of(cube, Style::toon, {5, 4, 6}, {1, 1, 1});
     scene.instances[0].octree = nullptr;
     scene.instances[0].deforming = &cube.mesh;
-    check_sides(renderer.render(scene, k_size, k_size), scene.camera, glm::vec3(1.0f));
+    check_sides(renderer.render(scene, k_mesh_color_size, k_mesh_color_size), scene.camera,
+                glm::vec3(1.0f));
 }
 
 TEST_CASE("instances with and without colors share a scene, and styles change between frames") {
@@ -281,13 +284,15 @@ TEST_CASE("instances with and without colors share a scene, and styles change be
     const Model cube(colored_cube());
     const Model ground(MeshSource{{{-9, -1.5f, -9}, {9, -1.5f, -9}, {9, -1.5f, 9}, {-9, -1.5f, 9}},
                                   {{0, 2, 1}, {0, 3, 2}}});
-    Renderer renderer(gpu->context(), k_plain);
+    Renderer renderer(gpu->context(), k_mesh_color_plain);
     for (const Style style : {Style::toon, Style::blueprint, Style::hatch, Style::toon}) {
         Scene scene = scene_of(cube, style, {5, 4, 6}, {1, 1, 1});
         scene.instances.push_back(
             {.octree = &ground.octree, .material = {.color = glm::vec3(0.9f)}});
-        const Picture picture = renderer.render(scene, k_size, k_size);
-        CHECK(picture.rgba == Renderer(gpu->context(), k_plain).render(scene, k_size, k_size).rgba);
+        const Picture picture = renderer.render(scene, k_mesh_color_size, k_mesh_color_size);
+        CHECK(picture.rgba == Renderer(gpu->context(), k_mesh_color_plain)
+                                  .render(scene, k_mesh_color_size, k_mesh_color_size)
+                                  .rgba);
         if (style == Style::toon) check_sides(picture, scene.camera, glm::vec3(1.0f));
     }
 }

@@ -9,6 +9,7 @@
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/engine/support/gpu_fixture.h"
 #include "tests/engine/support/test_pictures.h"
+#include "tests/rounds.h"
 
 namespace rimline {
 namespace {
@@ -64,7 +65,7 @@ TEST_CASE("camera lights and instances that all move at once draw what a fresh r
     for (const Style style : {Style::toon, Style::hatch}) {
         Renderer moving(gpu->context(), k_options);
         Picture before;
-        for (int frame = 0; frame < 8; ++frame) {
+        for (int frame = 0; frame < tests::rounds(8); ++frame) {
             CAPTURE(static_cast<int>(style));
             CAPTURE(frame);
             const Scene scene = scene_at(stock, style, frame);

@@ -24,8 +24,8 @@ namespace {
 
 using namespace rimline::tests;
 
-constexpr std::uint32_t k_size = 256;
-constexpr double k_pixels = 128.0;  // To the unit, in a flat scene.
+constexpr std::uint32_t k_picture_lines_size = 256;
+constexpr double k_picture_lines_pixels = 128.0;  // To the unit, in a flat scene.
 
 Scene white_scene(const Camera& camera) {
     return {.camera = camera,
@@ -46,19 +46,10 @@ Scene flat_scene(const Model& model, const PictureLines& lines) {
     return scene;
 }
 
-Picture draw(const Gpu& gpu, const Scene& scene, const RendererOptions& options = {}) {
+Picture draw_picture_lines(const Gpu& gpu, const Scene& scene,
+                           const RendererOptions& options = {}) {
     Renderer renderer(gpu.context(), options);
-    return renderer.render(scene, k_size, k_size);
-}
-
-double ink_at(const Picture& picture, std::size_t pixel) {
-    return 1.0 - linear_from_srgb(picture.rgba[4 * pixel]);
-}
-
-double ink_of(const Picture& picture) {
-    double ink = 0.0;
-    for (std::size_t i = 0; i < picture.rgba.size() / 4; ++i) ink += ink_at(picture, i);
-    return ink;
+    return renderer.render(scene, k_picture_lines_size, k_picture_lines_size);
 }
 
 // The ink of each set of inked pixels that touch each other.
@@ -75,7 +66,8 @@ std::vector<double> inks_of_dashes(const Picture& picture) {
             const std::size_t pixel = open.back();
             open.pop_back();
             inks.back() += ink_at(picture, pixel);
-            for (const std::size_t next : {pixel - 1, pixel + 1, pixel - k_size, pixel + k_size})
+            for (const std::size_t next :
+                 {pixel - 1, pixel + 1, pixel - k_picture_lines_size, pixel + k_picture_lines_size})
                 if (next < is_done.size() && !is_done[next] && ink_at(picture, next) >= 0.02) {
                     is_done[next] = true;
                     open.push_back(next);
@@ -90,7 +82,8 @@ PictureLines one_line(std::vector<glm::dvec2> points, bool is_hidden, bool is_cl
     return {std::move(points), {{0, count, is_hidden, is_closed}}};
 }
 
-TEST_CASE("lines of a caller have the pixels of silhouette edges where all of these are seen") {
+TEST_CASE("lines of a caller have the pixels of silhouette edges where all of these are seen" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     const Model model(make_built_in_shape("sphere", 3000));
     for (const bool orthographic : {false, true})
@@ -104,7 +97,8 @@ TEST_CASE("lines of a caller have the pixels of silhouette edges where all of th
             scene.line_width_px = width_px;
             scene.instances.push_back({.octree = &model.octree});
             Renderer renderer(gpu->context());
-            const Picture expected = renderer.render(scene, k_size, k_size);
+            const Picture expected =
+                renderer.render(scene, k_picture_lines_size, k_picture_lines_size);
 
             const LineView view = orthographic
                                       ? LineView::orthographic(camera.eye, camera.target, camera.up)
@@ -120,7 +114,8 @@ TEST_CASE("lines of a caller have the pixels of silhouette edges where all of th
                 lines.lines.push_back({first, first + 2});
             }
             scene.instances[0].picture_lines = &lines;
-            const Picture drawn = renderer.render(scene, k_size, k_size);
+            const Picture drawn =
+                renderer.render(scene, k_picture_lines_size, k_picture_lines_size);
             CHECK(renderer.report().silhouette == 0);
             CHECK(renderer.report().segments == lines.lines.size());
             CHECK(ink_of(drawn) > 300.0);
@@ -131,7 +126,8 @@ TEST_CASE("lines of a caller have the pixels of silhouette edges where all of th
         }
 }
 
-TEST_CASE("dashes of a hidden square have equal lengths, around its corners too") {
+TEST_CASE("dashes of a hidden square have equal lengths around its corners too" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     const Model model(plate());
     for (const double half : {0.31, 0.4, 0.57, 0.7}) {
@@ -140,10 +136,10 @@ TEST_CASE("dashes of a hidden square have equal lengths, around its corners too"
             one_line({{-half, -half}, {half, -half}, {half, half}, {-half, half}}, true, true);
         Scene scene = flat_scene(model, lines);
         scene.line_width_px = 1.5f;
-        CHECK(ink_of(draw(*gpu, scene)) == 0.0);
+        CHECK(ink_of(draw_picture_lines(*gpu, scene)) == 0.0);
         scene.hidden_line_strength = 1.0f;
-        const std::vector<double> inks = inks_of_dashes(draw(*gpu, scene));
-        const double length = 8.0 * half * k_pixels;
+        const std::vector<double> inks = inks_of_dashes(draw_picture_lines(*gpu, scene));
+        const double length = 8.0 * half * k_picture_lines_pixels;
         CHECK(inks.size() == std::lround(length / 11.5));
         const double mean = std::accumulate(inks.begin(), inks.end(), 0.0) / double(inks.size());
         CHECK(std::abs(mean / (1.5 * length * 7.0 / 11.5 / double(inks.size())) - 1.0) < 0.05);
@@ -153,7 +149,8 @@ TEST_CASE("dashes of a hidden square have equal lengths, around its corners too"
     }
 }
 
-TEST_CASE("a hidden line begins and ends with a whole dash, whatever its length and its points") {
+TEST_CASE("a hidden line begins and ends with a whole dash whatever its length and its points" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     const Model model(plate());
     for (const double length : {0.5, 0.53, 0.56, 0.59, 1.2}) {
@@ -162,7 +159,7 @@ TEST_CASE("a hidden line begins and ends with a whole dash, whatever its length 
         Scene scene = flat_scene(model, lines);
         scene.line_width_px = 1.5f;
         scene.hidden_line_strength = 1.0f;
-        const Picture whole = draw(*gpu, scene);
+        const Picture whole = draw_picture_lines(*gpu, scene);
         const std::vector<double> inks = inks_of_dashes(whole);
         // The round ends of the line, half a pixel beyond the dash's, are more.
         const double middle = inks[1];
@@ -172,7 +169,7 @@ TEST_CASE("a hidden line begins and ends with a whole dash, whatever its length 
 
         lines.points.insert(lines.points.begin() + 1, {-0.6 + 0.37 * length, 0.1});
         lines.lines = {{0, 3, true, false}};
-        const Picture divided = draw(*gpu, scene);
+        const Picture divided = draw_picture_lines(*gpu, scene);
         // Where a dash ends at a joint, the joint's round end is more.
         CHECK(std::abs(ink_of(divided) - ink_of(whole)) < 0.03 * middle);
     }
@@ -191,12 +188,13 @@ TEST_CASE("lines of a caller lie before all instances, each in its own color") {
     scene.instances[2].translation.z = 1.0;
     scene.line_width_px = 6.0f;
     const auto color_at = [](const Picture& picture, double x, double y) {
-        const auto pixel = static_cast<std::size_t>((1.0 - y) * k_pixels) * k_size +
-                           static_cast<std::size_t>((1.0 + x) * k_pixels);
+        const auto pixel =
+            static_cast<std::size_t>((1.0 - y) * k_picture_lines_pixels) * k_picture_lines_size +
+            static_cast<std::size_t>((1.0 + x) * k_picture_lines_pixels);
         return glm::ivec3(picture.rgba[4 * pixel], picture.rgba[4 * pixel + 1],
                           picture.rgba[4 * pixel + 2]);
     };
-    const Picture picture = draw(*gpu, scene);
+    const Picture picture = draw_picture_lines(*gpu, scene);
     CHECK(color_at(picture, -0.5, 0.0) == glm::ivec3(255, 0, 0));
     CHECK(color_at(picture, 0.5, 0.0) == glm::ivec3(0, 0, 0));
     CHECK(color_at(picture, 0.0, 0.0) == glm::ivec3(255, 255, 255));
@@ -204,9 +202,10 @@ TEST_CASE("lines of a caller lie before all instances, each in its own color") {
     // The same by every path, with the silhouettes of other instances beside them.
     scene.instances[2].has_lines = true;
     scene.instances[2].translation = {0, 0, -1};
-    const Picture expected = draw(*gpu, scene);
+    const Picture expected = draw_picture_lines(*gpu, scene);
     for (const LinePath path : {LinePath::pulling, LinePath::all_edges, LinePath::adjacency})
-        CHECK(std::ranges::equal(draw(*gpu, scene, {.line_path = path}).rgba, expected.rgba));
+        CHECK(std::ranges::equal(draw_picture_lines(*gpu, scene, {.line_path = path}).rgba,
+                                 expected.rgba));
 }
 
 TEST_CASE("lines of a caller have colors of their own, a later one over those before it") {
@@ -218,10 +217,11 @@ TEST_CASE("lines of a caller have colors of their own, a later one over those be
         {{0.0f, 0.0f, 1.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}}};
     Scene scene = flat_scene(model, lines);
     scene.line_width_px = 6.0f;
-    const Picture picture = draw(*gpu, scene);
+    const Picture picture = draw_picture_lines(*gpu, scene);
     const auto color_at = [&](double x, double y) {
-        const auto pixel = static_cast<std::size_t>((1.0 - y) * k_pixels) * k_size +
-                           static_cast<std::size_t>((1.0 + x) * k_pixels);
+        const auto pixel =
+            static_cast<std::size_t>((1.0 - y) * k_picture_lines_pixels) * k_picture_lines_size +
+            static_cast<std::size_t>((1.0 + x) * k_picture_lines_pixels);
         return glm::ivec3(picture.rgba[4 * pixel], picture.rgba[4 * pixel + 1],
                           picture.rgba[4 * pixel + 2]);
     };
@@ -232,11 +232,11 @@ TEST_CASE("lines of a caller have colors of their own, a later one over those be
     CHECK(color_at(0.0, 0.5) == glm::ivec3(255, 0, 0));
     // Colors that no line has cost nothing and change nothing.
     lines.colors.pop_back();
-    CHECK(draw(*gpu, scene).rgba == picture.rgba);
+    CHECK(draw_picture_lines(*gpu, scene).rgba == picture.rgba);
     lines.lines[1].color = lines.lines[2].color = k_own_line_color;
-    const Picture black = draw(*gpu, scene);
+    const Picture black = draw_picture_lines(*gpu, scene);
     lines.colors.clear();
-    CHECK(draw(*gpu, scene).rgba == black.rgba);
+    CHECK(draw_picture_lines(*gpu, scene).rgba == black.rgba);
 }
 
 }  // namespace

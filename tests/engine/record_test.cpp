@@ -14,14 +14,14 @@
 namespace rimline {
 namespace {
 
-constexpr RendererOptions k_plain{.samples = 1, .scale = 1};
-constexpr std::uint32_t k_width = 80;
-constexpr std::uint32_t k_height = 48;
+constexpr RendererOptions k_record_plain{.samples = 1, .scale = 1};
+constexpr std::uint32_t k_record_width = 80;
+constexpr std::uint32_t k_record_height = 48;
 
 Scene scene_at(const tests::Model& model, int frame) {
     const glm::vec3 paper(0.8f);
     Scene scene{.camera = fit_camera({}, model.mesh, default_view_direction({0, 1, 0}),
-                                     double(k_width) / k_height),
+                                     double(k_record_width) / k_record_height),
                 .style = Style::toon,
                 .palette = default_palette(Style::toon, paper)};
     scene.instances.push_back({.octree = &model.octree,
@@ -37,7 +37,7 @@ Scene scene_at(const tests::Model& model, int frame) {
 class Caller {
 public:
     Caller(const DeviceContext& context, VkFormat format, std::uint32_t layers = 1,
-           VkExtent2D extent = {k_width, k_height},
+           VkExtent2D extent = {k_record_width, k_record_height},
            std::uint32_t frames_in_flight = RendererOptions{}.frames_in_flight)
         : context_(context), format_(format), extent_(extent), flights_(frames_in_flight) {
         const VkImageCreateInfo image_info{
@@ -156,14 +156,14 @@ std::uint8_t as_byte(std::span<const std::byte> pixels, std::size_t i) {
 TEST_CASE("frames recorded into a caller's commands and image are those that render() gives") {
     RIMLINE_OPEN_GPU(gpu);
     const tests::Model model(make_built_in_shape("knot", 3000));
-    Renderer own(gpu->context(), k_plain);
-    Renderer embedded(gpu->context(), k_plain);
+    Renderer own(gpu->context(), k_record_plain);
+    Renderer embedded(gpu->context(), k_record_plain);
     Caller caller(gpu->context(), VK_FORMAT_R8G8B8A8_UNORM, 3);
     caller.set_layer(2);
     std::vector<Picture> expected;
     for (int frame = 0; frame < 6; ++frame) {
         CAPTURE(frame);
-        expected.push_back(own.render(scene_at(model, frame), k_width, k_height));
+        expected.push_back(own.render(scene_at(model, frame), k_record_width, k_record_height));
         const FrameReport report = caller.draw(embedded, scene_at(model, frame));
         CHECK(report.bytes_streamed == own.report().bytes_streamed);
         CHECK(report.silhouette == own.report().silhouette);
@@ -181,19 +181,19 @@ TEST_CASE("as many frames may be in flight as the caller says") {
     const tests::Model other(make_built_in_shape("spring", 2000));
     for (const std::uint32_t frames_in_flight : {1u, 3u, 5u}) {
         CAPTURE(frames_in_flight);
-        RendererOptions options = k_plain;
+        RendererOptions options = k_record_plain;
         options.frames_in_flight = frames_in_flight;
-        Renderer own(gpu->context(), k_plain);
+        Renderer own(gpu->context(), k_record_plain);
         Renderer embedded(gpu->context(), options);
-        Caller caller(gpu->context(), VK_FORMAT_R8G8B8A8_UNORM, 1, {k_width, k_height},
-                      frames_in_flight);
+        Caller caller(gpu->context(), VK_FORMAT_R8G8B8A8_UNORM, 1,
+                      {k_record_width, k_record_height}, frames_in_flight);
         std::vector<Picture> expected;
         for (std::uint32_t frame = 0; frame < 3 * frames_in_flight; ++frame) {
             Scene scene = scene_at(frame % 4 == 3 ? other : model, int(frame));
             scene.instances.push_back(
                 {.deforming = &other.mesh,
                  .deformation = default_wave(other.mesh, {0, 1, 0}, 0.1 * frame)});
-            expected.push_back(own.render(scene, k_width, k_height));
+            expected.push_back(own.render(scene, k_record_width, k_record_height));
             caller.draw(embedded, scene);
             if (frame + 1 < frames_in_flight) continue;
             // The oldest one in flight.
@@ -207,8 +207,8 @@ TEST_CASE("as many frames may be in flight as the caller says") {
 TEST_CASE("each format of target holds the same picture, encoded once") {
     RIMLINE_OPEN_GPU(gpu);
     const tests::Model model(make_built_in_shape("knot", 3000));
-    Renderer renderer(gpu->context(), k_plain);
-    const Picture expected = renderer.render(scene_at(model, 0), k_width, k_height);
+    Renderer renderer(gpu->context(), k_record_plain);
+    const Picture expected = renderer.render(scene_at(model, 0), k_record_width, k_record_height);
     const std::size_t channels = expected.rgba.size();
 
     for (const auto& [format, is_bgr] : {std::pair{VK_FORMAT_B8G8R8A8_UNORM, true},
@@ -244,7 +244,7 @@ TEST_CASE("each format of target holds the same picture, encoded once") {
 TEST_CASE("a format that no picture can be drawn in is named") {
     RIMLINE_OPEN_GPU(gpu);
     const tests::Model model(make_built_in_shape("box", 12));
-    Renderer renderer(gpu->context(), k_plain);
+    Renderer renderer(gpu->context(), k_record_plain);
     Caller caller(gpu->context(), VK_FORMAT_R8G8B8A8_UNORM);
     PictureTarget target = caller.target(VK_IMAGE_LAYOUT_GENERAL);
     for (const VkFormat format : {VK_FORMAT_R8G8B8A8_UINT, VK_FORMAT_D32_SFLOAT,
@@ -265,20 +265,20 @@ TEST_CASE("a format that no picture can be drawn in is named") {
 TEST_CASE("frames of a caller and own ones follow on each other, and sizes change") {
     RIMLINE_OPEN_GPU(gpu);
     const tests::Model model(make_built_in_shape("torus", 2000));
-    Renderer own(gpu->context(), k_plain);
-    Renderer mixed(gpu->context(), k_plain);
+    Renderer own(gpu->context(), k_record_plain);
+    Renderer mixed(gpu->context(), k_record_plain);
     Caller caller(gpu->context(), VK_FORMAT_R8G8B8A8_UNORM);
     for (int frame = 0; frame < 8; ++frame) {
         CAPTURE(frame);
         const Scene scene = scene_at(model, frame);
-        const std::uint32_t width = frame % 4 == 3 ? 40 : k_width;
-        const Picture expected = own.render(scene, width, k_height);
+        const std::uint32_t width = frame % 4 == 3 ? 40 : k_record_width;
+        const Picture expected = own.render(scene, width, k_record_height);
         if (frame % 2 == 0) {
             caller.draw(mixed, scene);
             CHECK(std::ranges::equal(std::as_bytes(std::span(expected.rgba)),
                                      caller.pixels().first(expected.rgba.size())));
         } else {
-            CHECK(mixed.render(scene, width, k_height).rgba == expected.rgba);
+            CHECK(mixed.render(scene, width, k_record_height).rgba == expected.rgba);
         }
     }
 }
@@ -287,8 +287,8 @@ TEST_CASE("what leaves the scene stays until the caller's frames that read it ar
     RIMLINE_OPEN_GPU(gpu);
     const tests::Model model(make_built_in_shape("spring", 3000));
     const tests::Model other(make_built_in_shape("knot", 3000));
-    Renderer own(gpu->context(), k_plain);
-    Renderer embedded(gpu->context(), k_plain);
+    Renderer own(gpu->context(), k_record_plain);
+    Renderer embedded(gpu->context(), k_record_plain);
     Caller caller(gpu->context(), VK_FORMAT_R8G8B8A8_UNORM);
     std::vector<Picture> expected;
     for (int frame = 0; frame < 9; ++frame) {
@@ -296,7 +296,7 @@ TEST_CASE("what leaves the scene stays until the caller's frames that read it ar
         Scene scene = scene_at(frame % 3 == 2 ? other : model, frame);
         if (frame % 3 == 1) scene.lights.push_back({.vector = {0.3, 1, 0.2}});
         if (frame % 3 == 0) scene.instances.push_back({.octree = &other.octree});
-        expected.push_back(own.render(scene, k_width, k_height));
+        expected.push_back(own.render(scene, k_record_width, k_record_height));
         caller.draw(embedded, scene);
         if (frame == 0) continue;
         const std::vector<std::uint8_t>& wanted = expected[std::size_t(frame) - 1].rgba;
@@ -308,13 +308,13 @@ TEST_CASE("what leaves the scene stays until the caller's frames that read it ar
 TEST_CASE("after a command buffer that is never submitted the next frame is whole and right") {
     RIMLINE_OPEN_GPU(gpu);
     const tests::Model model(make_built_in_shape("knot", 3000));
-    Renderer own(gpu->context(), k_plain);
-    Renderer embedded(gpu->context(), k_plain);
+    Renderer own(gpu->context(), k_record_plain);
+    Renderer embedded(gpu->context(), k_record_plain);
     Caller caller(gpu->context(), VK_FORMAT_R8G8B8A8_UNORM);
     for (int frame = 0; frame < 6; ++frame) {
         CAPTURE(frame);
         const Scene scene = scene_at(model, frame);
-        const Picture expected = own.render(scene, k_width, k_height);
+        const Picture expected = own.render(scene, k_record_width, k_record_height);
         if (frame == 2) {
             caller.draw(embedded, scene, false);
             embedded.forget_recorded();

@@ -314,7 +314,7 @@ TEST_CASE("meshes without faces, lights or silhouette draw the background") {
         REQUIRE(int(picture.rgba[i]) == (i % 4 == 3 ? 255 : 243));
 }
 
-TEST_CASE("a ground that fades is seen through from below") {
+TEST_CASE("a ground that fades is seen through from below" * doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     const Mesh mesh(make_built_in_shape("knot", 4000));
     const HoughOctree octree(mesh);

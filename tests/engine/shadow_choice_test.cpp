@@ -19,7 +19,7 @@ using namespace rimline::tests;
 
 namespace {
 
-constexpr std::uint32_t k_size = 256;
+constexpr std::uint32_t k_shadow_choice_size = 256;
 
 Scene mask(Scene scene) {
     scene.style = Style::mask;
@@ -56,12 +56,13 @@ public:
         scene = mask(std::move(scene));
         scene.shadow_method = ShadowMethod::fail;
         scene.shadow_form = ShadowForm::general;
-        const Picture expected = pulled_.render(scene, k_size, k_size);
+        const Picture expected = pulled_.render(scene, k_shadow_choice_size, k_shadow_choice_size);
         for (const Variant& variant : k_variants) {
             scene.shadow_method = variant.method;
             scene.shadow_form = variant.form;
-            const Picture drawn = pulled_.render(scene, k_size, k_size);
-            const Picture by_geometry = by_geometry_.render(scene, k_size, k_size);
+            const Picture drawn = pulled_.render(scene, k_shadow_choice_size, k_shadow_choice_size);
+            const Picture by_geometry =
+                by_geometry_.render(scene, k_shadow_choice_size, k_shadow_choice_size);
             for (const ShadowReport& shadow : pulled_.report().shadows) {
                 casters_ += 1;
                 passes_ += shadow.choice.method == ShadowMethod::pass ? 1 : 0;
@@ -258,7 +259,8 @@ TEST_CASE(
     CHECK_FALSE(ends_in_one_point(HomogeneousPoint::direction({0, 1, 1}), 5.0, true));
 }
 
-TEST_CASE("random scenes are the same picture by every method, form and stage") {
+TEST_CASE("random scenes are the same picture by every method form and stage" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     constexpr std::uint64_t k_seed = 7;
     constexpr int k_draws = 30;

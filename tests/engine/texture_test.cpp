@@ -21,7 +21,7 @@ namespace {
 
 using namespace rimline::tests;
 
-constexpr std::uint32_t k_side = 64;  // Of pictures, in pixels.
+constexpr std::uint32_t k_texture_side = 64;  // Of pictures, in pixels.
 
 Picture random_picture(std::uint32_t width, std::uint32_t height, std::uint32_t seed) {
     std::mt19937 random(seed);
@@ -56,7 +56,7 @@ MeshSource textured_square(float range, MaterialTexture texture) {
 
 // Its picture in full light, where the square fills it.
 Picture draw(Gpu& gpu, const MeshSource& source, Style style = Style::toon, bool shadows = false,
-             std::uint32_t side = k_side) {
+             std::uint32_t side = k_texture_side) {
     const Model model(source);
     Scene scene{.camera = {.eye = {0, 0, 5}, .target = {0, 0, 0}, .ortho_height = 4.0},
                 .style = style,
@@ -89,7 +89,7 @@ bool is_near(const std::array<int, 3>& a, const std::array<int, 3>& b) {
 
 TEST_CASE("a texture whose pixels fall on those of the picture is the picture") {
     RIMLINE_OPEN_GPU(gpu);
-    const Picture picture = random_picture(k_side, k_side, 1);
+    const Picture picture = random_picture(k_texture_side, k_texture_side, 1);
     const MeshSource square = textured_square(1.0f, texture_of(picture));
     for (const Style style : {Style::toon, Style::ink, Style::hatch})
         for (const bool shadows : {false, true}) {
@@ -116,9 +116,9 @@ TEST_CASE("a texture whose pixels fall on those of the picture is the picture") 
 
 TEST_CASE("textures repeat, mirror and end as their file says, each way") {
     RIMLINE_OPEN_GPU(gpu);
-    const Picture picture = random_picture(k_side / 4, k_side / 4, 2);
+    const Picture picture = random_picture(k_texture_side / 4, k_texture_side / 4, 2);
     const auto place = [](TextureWrap wrap, std::uint32_t at) {
-        const std::uint32_t n = k_side / 4;
+        const std::uint32_t n = k_texture_side / 4;
         if (wrap == TextureWrap::clamp) return std::min(at, n - 1);
         if (wrap == TextureWrap::mirror && at / n % 2 == 1) return n - 1 - at % n;
         return at % n;
@@ -132,8 +132,8 @@ TEST_CASE("textures repeat, mirror and end as their file says, each way") {
             texture.wrap_v = v;
             const Picture drawn = draw(*gpu, textured_square(4.0f, texture));
             int wrong = 0;
-            for (std::uint32_t y = 0; y < k_side; ++y)
-                for (std::uint32_t x = 0; x < k_side; ++x)
+            for (std::uint32_t y = 0; y < k_texture_side; ++y)
+                for (std::uint32_t x = 0; x < k_texture_side; ++x)
                     wrong += !is_near(pixel(drawn, x, y), pixel(picture, place(u, x), place(v, y)));
             CHECK(wrong == 0);
         }
@@ -148,7 +148,7 @@ TEST_CASE("a pixelated texture has sharp edges, and another one is interpolated"
         texture.wrap_u = TextureWrap::clamp;
         const Picture drawn = draw(*gpu, textured_square(1.0f, texture));
         int between = 0;
-        for (std::uint32_t x = 0; x < k_side; ++x) {
+        for (std::uint32_t x = 0; x < k_texture_side; ++x) {
             const int value = pixel(drawn, x, 5)[0];
             between += value > 5 && value < 250;
         }
@@ -166,8 +166,8 @@ TEST_CASE("a texture much finer than the picture has its mean color, in linear l
     }
     const Picture drawn = draw(*gpu, textured_square(3.0f, texture_of(checker)));
     int wrong = 0;
-    for (std::uint32_t y = 0; y < k_side; ++y)
-        for (std::uint32_t x = 0; x < k_side; ++x)
+    for (std::uint32_t y = 0; y < k_texture_side; ++y)
+        for (std::uint32_t x = 0; x < k_texture_side; ++x)
             wrong += !is_near(pixel(drawn, x, y), {188, 188, 0});
     CHECK(wrong == 0);
 }
@@ -222,8 +222,8 @@ TEST_CASE("a picture larger than the device's images is reduced") {
         wide.rgba.insert(wide.rgba.end(),
                          {i < width / 2 ? std::uint8_t{200} : std::uint8_t{20}, 100, 50, 255});
     const Picture drawn = draw(*gpu, textured_square(1.0f, texture_of(wide)));
-    CHECK(is_near(pixel(drawn, k_side / 4, 9), {200, 100, 50}));
-    CHECK(is_near(pixel(drawn, 3 * k_side / 4, 9), {20, 100, 50}));
+    CHECK(is_near(pixel(drawn, k_texture_side / 4, 9), {200, 100, 50}));
+    CHECK(is_near(pixel(drawn, 3 * k_texture_side / 4, 9), {20, 100, 50}));
 }
 
 TEST_CASE("mip levels: each pixel is the mean of what it covers, in linear light") {

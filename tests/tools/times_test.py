@@ -161,5 +161,5 @@ def test_drawing_shows_progress_on_a_terminal():
     if next(device for device in succeed("devices")["devices"] if device["chosen"])["type"] != "CPU":
         skip("a GPU draws before there is anything to show")
     with tempfile.TemporaryDirectory() as folder:
-        shown = terminal_of("render", "shape:knot", "--ground", "--size", "8000x6000", "-o", os.path.join(folder, "a.png"))
+        shown = terminal_of("render", "shape:knot", "--ground", "--size", "4000x3000", "-o", os.path.join(folder, "a.png"))
         assert "\r\x1b[Kdrawing the picture" in shown, shown

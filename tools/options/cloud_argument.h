@@ -25,7 +25,7 @@ struct CloudArgument {
 
     /// Reads the cloud and shows progress. Throws Error, also for a model with faces without --as-points.
     PointCloud load(const Context& context) const;
-    /// The same with progress of another kind (progress.h).
+    /// The same with progress of another kind (begin_call.h).
     PointCloud load(const BeginCall& begin) const;
 };
 

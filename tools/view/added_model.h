@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/begin_call.h"
 #include "tools/options/placed_model.h"
-#include "tools/progress.h"
 
 namespace rimline::tools {
 

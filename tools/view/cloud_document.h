@@ -27,7 +27,7 @@ struct CloudReport {
 class CloudDocument final : public DocumentBase {
 public:
     /// Loads the cloud, finds its umbrellas and builds their index. `begin` is called before each part of
-    /// the work (progress.h). Throws Error naming the cloud, also if no point has an umbrella.
+    /// the work (begin_call.h). Throws Error naming the cloud, also if no point has an umbrella.
     CloudDocument(const CloudArgument& argument, const BeginCall& begin);
 
     Subject subject() const override { return drawing_.subject(); }

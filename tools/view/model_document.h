@@ -23,7 +23,7 @@ namespace rimline::tools {
 class ModelDocument final : public DocumentBase {
 public:
     /// Loads `name`, a file or shape:NAME[:FACES], and builds the octree. `begin` is called before each part
-    /// of the work (progress.h). Throws Error naming the model, and CLI::ValidationError if there is no
+    /// of the work (begin_call.h). Throws Error naming the model, and CLI::ValidationError if there is no
     /// such shape.
     ModelDocument(std::string name, std::uint32_t subdivide, const BeginCall& begin);
     /// The same for a source that is already read.

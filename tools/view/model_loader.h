@@ -6,16 +6,14 @@
 // Only one file is loaded at a time: open() cancels the load before it. The window's thread fetches the
 // result with take(). A failed load gives an error message and does not end the program.
 
-#include <atomic>
 #include <functional>
-#include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
+#include <utility>
 #include <vector>
 
 #include "tools/view/added_model.h"
+#include "tools/view/background_call.h"
 #include "tools/view/view_session.h"
 
 namespace rimline::tools {
@@ -23,11 +21,7 @@ namespace rimline::tools {
 class ModelLoader {
 public:
     /// `wake` is called on the loading thread whenever stage() or the result has changed.
-    explicit ModelLoader(std::function<void()> wake = {}) : wake_(std::move(wake)) {}
-    /// Cancels the load and waits for its end.
-    ~ModelLoader() { cancel(); }
-    ModelLoader(const ModelLoader&) = delete;
-    ModelLoader& operator=(const ModelLoader&) = delete;
+    explicit ModelLoader(std::function<void()> wake = {}) : call_(std::move(wake)) {}
 
     /// Cancels the load before, and starts to open what the arguments of `rimline view` say.
     void open(std::vector<std::string> arguments);
@@ -35,16 +29,6 @@ public:
     void open(const std::string& name);
     /// The same for a scene of models that have been moved or added.
     void arrange(Arrangement arrangement);
-    /// Asks the load to stop and does not wait for it. Its result is discarded, as is one that was not taken.
-    void cancel();
-
-    struct Stage {
-        std::string task;    ///< "reading bunny.obj"
-        double share = 0.0;  ///< Progress of this task, in [0, 1].
-    };
-    /// Nothing while no load is in progress.
-    std::optional<Stage> stage() const;
-
     /// How the result takes the place of what is shown.
     enum class Kind {
         document,    ///< Only the document is new: the look of the picture stays.
@@ -56,29 +40,20 @@ public:
         Kind kind = Kind::document;
         std::string error;  ///< Why it failed.
     };
+    using Stage = BackgroundCall<Result>::Stage;
+
+    /// Asks the load to stop and does not wait for it. Its result is discarded, as is one that was not taken.
+    void cancel() { call_.cancel(); }
+    /// Nothing while no load is in progress.
+    std::optional<Stage> stage() const { return call_.stage(); }
     /// The result of the last open(). Each result is returned once.
-    std::optional<Result> take();
+    std::optional<Result> take() { return call_.take(); }
 
 private:
-    using Work = std::function<Result(const BeginCall&)>;
     // `name` begins messages that do not name what they are about.
-    void start(std::string name, Work work);
-    void load(const std::stop_token& stop, const std::string& name, const Work& work);
-    void wake() const {
-        if (wake_) wake_();
-    }
+    void start(std::string name, BackgroundCall<Result>::Work work);
 
-    std::function<void()> wake_;
-    mutable std::mutex mutex_;  // Guards the two members below.
-    std::optional<Stage> stage_;
-    std::optional<Result> result_;
-    // Last: they are joined before the other members are destroyed.
-    struct Load {
-        std::shared_ptr<std::atomic<bool>> has_ended;
-        std::jthread thread;
-    };
-    std::vector<Load> cancelled_;  // Some may still run.
-    Load load_;
+    BackgroundCall<Result> call_;
 };
 
 }  // namespace rimline::tools

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "tools/begin_call.h"
 #include "tools/options/cloud_argument.h"
 #include "tools/options/model_list.h"
 #include "tools/options/picture_options.h"
 #include "tools/options/scene_options.h"
-#include "tools/progress.h"
 #include "tools/view/view_session.h"
 
 namespace rimline::tools {

@@ -11,7 +11,7 @@ using namespace rimline::tests;
 
 namespace {
 
-constexpr std::uint32_t k_size = 200;
+constexpr std::uint32_t k_splat_renderer_size = 200;
 constexpr std::uint32_t k_red = 0xff0000ffu, k_green = 0xff00ff00u, k_blue = 0xffff0000u;
 
 // 100 pixels a unit, seen from far up the z axis; with what it refers to.
@@ -63,11 +63,14 @@ TEST_CASE("A disc covers its area, and of a tilted one what its plane shows") {
         const double angle = degrees * std::numbers::pi / 180.0;
         for (const float turned : {1.0f, -1.0f}) {
             const glm::vec3 normal(turned * std::sin(angle), 0.0f, turned * std::cos(angle));
-            const Counts seen = count(renderer.render(
-                scene_of({{{0.2f, -0.1f, 0.0f}, 0.5f, normal, k_red, {}}}), k_size, k_size));
+            const Counts seen =
+                count(renderer.render(scene_of({{{0.2f, -0.1f, 0.0f}, 0.5f, normal, k_red, {}}}),
+                                      k_splat_renderer_size, k_splat_renderer_size));
             const double area = std::numbers::pi * 50.0 * 50.0 * std::cos(angle);
             CHECK(seen.red == doctest::Approx(area).epsilon(0.01));
-            CHECK(seen.white == doctest::Approx(k_size * k_size - area).epsilon(0.01));
+            CHECK(seen.white ==
+                  doctest::Approx(k_splat_renderer_size * k_splat_renderer_size - area)
+                      .epsilon(0.01));
         }
     }
 }
@@ -78,8 +81,9 @@ TEST_CASE("A disc without a normal faces the camera, in perspective too") {
     TestScene scene = scene_of({{{0.0f, 0.0f, 0.0f}, 0.5f, glm::vec3(0.0f), k_red, {}}});
     scene.camera = {.eye = {3, 4, 5}, .target = {0, 0, 0}, .fov_y_deg = 40.0};
     const double distance = std::sqrt(50.0);
-    const double pixels = k_size / 2.0 / std::tan(20.0 * std::numbers::pi / 180.0) * 0.5 / distance;
-    CHECK(count(renderer.render(scene, k_size, k_size)).red ==
+    const double pixels =
+        k_splat_renderer_size / 2.0 / std::tan(20.0 * std::numbers::pi / 180.0) * 0.5 / distance;
+    CHECK(count(renderer.render(scene, k_splat_renderer_size, k_splat_renderer_size)).red ==
           doctest::Approx(std::numbers::pi * pixels * pixels).epsilon(0.01));
 }
 
@@ -89,7 +93,8 @@ TEST_CASE("Nearer discs hide others, whatever their order") {
     const gpu::SplatRecord near{{0.0f, 0.0f, 0.5f}, 0.3f, k_up, k_green, {}};
     const gpu::SplatRecord far{{0.0f, 0.0f, -0.5f}, 0.6f, k_up, k_red, {}};
     for (const auto& splats : {std::vector{near, far}, std::vector{far, near}}) {
-        const Counts seen = count(renderer.render(scene_of(splats), k_size, k_size));
+        const Counts seen =
+            count(renderer.render(scene_of(splats), k_splat_renderer_size, k_splat_renderer_size));
         CHECK(seen.green == doctest::Approx(std::numbers::pi * 900.0).epsilon(0.01));
         CHECK(seen.red == doctest::Approx(std::numbers::pi * 2700.0).epsilon(0.01));
     }
@@ -103,10 +108,11 @@ TEST_CASE(
         const Picture picture =
             renderer.render(scene_of({{{-0.2f, 0.0f, 0.0f}, 0.6f, k_up, k_red, {}},
                                       {{0.2f, 0.0f, 0.0f}, radius, k_up, k_green, {}}}),
-                            k_size, k_size);
+                            k_splat_renderer_size, k_splat_renderer_size);
         for (std::uint32_t x = 60; x < 140; ++x) {
             CAPTURE(x);
-            const std::size_t pixel = 4 * (std::size_t{k_size} * (k_size / 2) + x);
+            const std::size_t pixel =
+                4 * (std::size_t{k_splat_renderer_size} * (k_splat_renderer_size / 2) + x);
             if (x < 99) CHECK(picture.rgba[pixel] == 255);
             if (x > 100) CHECK(picture.rgba[pixel + 1] == 255);
         }
@@ -122,7 +128,7 @@ TEST_CASE("A disc whose center is behind the camera hides nothing that is nearer
         TestScene scene = scene_of(std::move(splats));
         scene.camera = {.eye = {0, 0, 0}, .target = {0, 0, -1}, .fov_y_deg = 60.0};
         scene.radius = 5.0;
-        return count(renderer.render(scene, k_size, k_size));
+        return count(renderer.render(scene, k_splat_renderer_size, k_splat_renderer_size));
     };
     CHECK(draw({floor}).red > 10000.0);
     const double expected = draw({above}).green;
@@ -135,13 +141,16 @@ TEST_CASE("Cuts leave what lies on their side") {
     SplatRenderer renderer(gpu->context());
     gpu::SplatRecord disc{{0.0f, 0.0f, 0.0f}, 0.5f, k_up, k_red, {{1.0f, 0.0f, 0.0f}, {}}};
     const double whole = std::numbers::pi * 2500.0;
-    const Picture right = renderer.render(scene_of({disc}), k_size, k_size);
+    const Picture right =
+        renderer.render(scene_of({disc}), k_splat_renderer_size, k_splat_renderer_size);
     CHECK(count(right).red == doctest::Approx(0.5 * whole).epsilon(0.01));
-    CHECK(right.rgba[4 * (std::size_t{k_size} * (k_size / 2) + 120) + 1] == 0);
-    CHECK(right.rgba[4 * (std::size_t{k_size} * (k_size / 2) + 80) + 1] == 255);
+    CHECK(right.rgba[4 * (std::size_t{k_splat_renderer_size} * (k_splat_renderer_size / 2) + 120) +
+                     1] == 0);
+    CHECK(right.rgba[4 * (std::size_t{k_splat_renderer_size} * (k_splat_renderer_size / 2) + 80) +
+                     1] == 255);
     disc.cuts[1] = {0.0f, 2.0f, 7.0f};
-    CHECK(count(renderer.render(scene_of({disc}), k_size, k_size)).red ==
-          doctest::Approx(0.25 * whole).epsilon(0.01));
+    CHECK(count(renderer.render(scene_of({disc}), k_splat_renderer_size, k_splat_renderer_size))
+              .red == doctest::Approx(0.25 * whole).epsilon(0.01));
 }
 
 TEST_CASE("Lines are as wide as asked, have round ends and are hidden by what is nearer") {
@@ -149,11 +158,13 @@ TEST_CASE("Lines are as wide as asked, have round ends and are hidden by what is
     SplatRenderer renderer(gpu->context());
     const gpu::StrokeRecord stroke{{-0.5f, 0.0f, 0.0f}, 3.0f, {0.5f, 0.0f, 0.0f}, k_blue, {}};
     const double area = 6.0 * 100.0 + std::numbers::pi * 9.0;
-    CHECK(count(renderer.render(scene_of({}, {stroke}), k_size, k_size)).blue ==
-          doctest::Approx(area).epsilon(0.02));
+    CHECK(
+        count(renderer.render(scene_of({}, {stroke}), k_splat_renderer_size, k_splat_renderer_size))
+            .blue == doctest::Approx(area).epsilon(0.02));
     const gpu::SplatRecord disc{{0.0f, 0.0f, 0.1f}, 0.25f, k_up, k_red, {}};
-    CHECK(count(renderer.render(scene_of({disc}, {stroke}), k_size, k_size)).blue ==
-          doctest::Approx(area - 300.0).epsilon(0.02));
+    CHECK(count(renderer.render(scene_of({disc}, {stroke}), k_splat_renderer_size,
+                                k_splat_renderer_size))
+              .blue == doctest::Approx(area - 300.0).epsilon(0.02));
     // Moved towards the camera by more than the disc stands before it, by less, and never beyond half way.
     for (const auto& [lift, seen] : {std::pair{0.15f, area}, {0.05f, area - 300.0}, {1e9f, area}}) {
         gpu::StrokeRecord lifted = stroke;
@@ -161,17 +172,17 @@ TEST_CASE("Lines are as wide as asked, have round ends and are hidden by what is
         TestScene scene = scene_of({disc}, {lifted});
         if (lift > 1.0f) scene.camera.ortho_height = 0.0;  // 100 pixels a unit in z = 0.
         scene.camera.fov_y_deg = 2.0 * std::atan(0.2) * 180.0 / std::numbers::pi;
-        CHECK(count(renderer.render(scene, k_size, k_size)).blue ==
+        CHECK(count(renderer.render(scene, k_splat_renderer_size, k_splat_renderer_size)).blue ==
               doctest::Approx(seen).epsilon(0.02));
     }
     // Of no length a dot.
     CHECK(count(renderer.render(scene_of({}, {{stroke.from, 3.0f, stroke.from, k_blue, {}}}),
-                                k_size, k_size))
+                                k_splat_renderer_size, k_splat_renderer_size))
               .blue == doctest::Approx(std::numbers::pi * 9.0).epsilon(0.05));
     // From behind the camera's near plane nothing.
     TestScene scene = scene_of({}, {{{0.0f, 0.0f, 9.0f}, 3.0f, {0.0f, 0.5f, 0.0f}, k_blue, {}}});
     scene.camera = {.eye = {0, 0, 5}, .target = {0, 0, 0}, .fov_y_deg = 40.0};
-    CHECK(count(renderer.render(scene, k_size, k_size)).blue == 0.0);
+    CHECK(count(renderer.render(scene, k_splat_renderer_size, k_splat_renderer_size)).blue == 0.0);
 }
 
 TEST_CASE("Discs are lit from the camera unless they say otherwise") {
@@ -182,8 +193,10 @@ TEST_CASE("Discs are lit from the camera unless they say otherwise") {
         const Picture picture = renderer.render(
             scene_of(
                 {{{0.0f, 0.0f, 0.0f}, 0.5f, {std::sin(angle), 0.0, std::cos(angle)}, color, {}}}),
-            k_size, k_size);
-        return linear_from_srgb(picture.rgba[4 * (std::size_t{k_size} * (k_size / 2) + 100)]);
+            k_splat_renderer_size, k_splat_renderer_size);
+        return linear_from_srgb(
+            picture.rgba[4 *
+                         (std::size_t{k_splat_renderer_size} * (k_splat_renderer_size / 2) + 100)]);
     };
     CHECK(middle(0x0000ffu, 0.0) == doctest::Approx(1.0));
     CHECK(middle(0x0000ffu, 60.0) == doctest::Approx(0.35 + 0.65 * 0.5).epsilon(0.02));

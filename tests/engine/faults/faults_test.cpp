@@ -23,10 +23,11 @@
 namespace rimline::tests {
 namespace {
 
-constexpr RendererOptions k_plain{.samples = 1, .scale = 1};
+constexpr RendererOptions k_faults_plain{.samples = 1, .scale = 1};
 
 std::unique_ptr<Renderer> undisturbed_renderer(Stage& stage) {
-    return stage.undisturbed([&] { return std::make_unique<Renderer>(stage.context(), k_plain); });
+    return stage.undisturbed(
+        [&] { return std::make_unique<Renderer>(stage.context(), k_faults_plain); });
 }
 
 RIMLINE_FAULT_SCENARIO("a picture") {
@@ -160,7 +161,7 @@ RIMLINE_FAULT_SCENARIO("pictures of lines that are tested in every frame") {
             return 0;
         });
     }
-    RendererOptions options = k_plain;
+    RendererOptions options = k_faults_plain;
     options.line_path = LinePath::adjacency;
     const auto renderer =
         stage.undisturbed([&] { return std::make_unique<Renderer>(stage.context(), options); });
@@ -173,7 +174,7 @@ RIMLINE_FAULT_SCENARIO("pictures of shadows by every method and form") {
     const auto data = stage.make<DrawData>(stage.context(), 2u);
     for (const SideStage sides : {SideStage::vertex, SideStage::geometry})
         stage.make<ShadowVolumePass>(stage.context(), data->layout(), formats, sides);
-    RendererOptions options = k_plain;
+    RendererOptions options = k_faults_plain;
     options.shadow_sides = SideStage::geometry;
     const auto renderer =
         stage.undisturbed([&] { return std::make_unique<Renderer>(stage.context(), options); });
@@ -369,14 +370,14 @@ TEST_CASE("frames that overlap survive failed submits, and what was queued befor
         scene.camera.eye.x += 0.05 * frame;
         return scene;
     };
-    Renderer one_by_one(gpu->context(), k_plain);
+    Renderer one_by_one(gpu->context(), k_faults_plain);
     std::array<Picture, 4> expected;
     for (int frame = 0; frame < 4; ++frame)
         expected[static_cast<std::size_t>(frame)] = one_by_one.render(scene_at(frame), 16, 16);
     std::uint64_t calls = 0;
     for (bool injected = true; injected; calls += 7) {
         CAPTURE(calls);
-        Renderer renderer(gpu->context(), k_plain);
+        Renderer renderer(gpu->context(), k_faults_plain);
         arm({.kind = FaultKind::failure, .call = calls, .result = calls});
         const auto submit = [&](int frame) {
             stage.step([&] { renderer.submit(scene_at(frame), 16, 16); });

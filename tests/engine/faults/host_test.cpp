@@ -16,8 +16,8 @@
 namespace rimline::tests {
 namespace {
 
-constexpr RendererOptions k_plain{.samples = 1, .scale = 1};
-constexpr VkExtent2D k_extent{24, 16};
+constexpr RendererOptions k_host_plain{.samples = 1, .scale = 1};
+constexpr VkExtent2D k_host_extent{24, 16};
 
 class CountingMutex : public QueueMutex {
 public:
@@ -62,8 +62,8 @@ TEST_CASE("recording a prepared frame submits nothing, waits for nothing and mak
     second.style = Style::hatch;
     second.lights.push_back({.vector = {-1, 2, 0.5}});
     second.instances.push_back({.octree = &models.box.octree});
-    Renderer renderer(gpu->context(), k_plain);
-    const Image image = make_picture_image(gpu->context(), k_extent);
+    Renderer renderer(gpu->context(), k_host_plain);
+    const Image image = make_picture_image(gpu->context(), k_host_extent);
     for (const Scene* scene : std::array<const Scene*, 2>{&first, &second}) {
         const UploadPoint uploaded = renderer.prepare(*scene, picture_target(image));
         const auto counts = [] {
@@ -97,14 +97,14 @@ TEST_CASE("a caller's queue is used under the caller's lock alone, and never wai
     const std::uint64_t idle = calls_of("vkQueueWaitIdle") + calls_of("vkDeviceWaitIdle");
     {
         const DeviceContext context = host_context(*gpu, &mutex);
-        Renderer renderer(context, k_plain);
-        const Image image = make_picture_image(context, k_extent);
+        Renderer renderer(context, k_host_plain);
+        const Image image = make_picture_image(context, k_host_extent);
         const UploadPoint uploaded = renderer.prepare(scene, picture_target(image));
         run_commands(
             context,
             [&](Commands commands) { renderer.record(commands, scene, picture_target(image)); },
             uploaded);
-        renderer.render(scene, k_extent.width, k_extent.height);
+        renderer.render(scene, k_host_extent.width, k_host_extent.height);
     }
     CHECK(mutex.count() > 3);
     CHECK(calls_of("vkQueueSubmit2") - submitted == mutex.count());
@@ -115,15 +115,15 @@ TEST_CASE("the first frame waits for uploads on the GPU, even where the host has
     RIMLINE_OPEN_GPU(gpu, &failing_loader);
     const FaultModels models;
     const Scene scene = scene_of(*gpu, models);
-    Renderer renderer(gpu->context(), k_plain);
+    Renderer renderer(gpu->context(), k_host_plain);
     const UploadPoint uploaded =
-        renderer.prepare(scene, {.format = k_picture_format, .extent = k_extent});
+        renderer.prepare(scene, {.format = k_picture_format, .extent = k_host_extent});
     REQUIRE(uploaded.value > 0);
     wait_for_timeline(gpu->context(), uploaded.timeline, uploaded.value);
     const std::uint64_t waits = semaphore_waits();
-    renderer.render(scene, k_extent.width, k_extent.height);
+    renderer.render(scene, k_host_extent.width, k_host_extent.height);
     CHECK(semaphore_waits() == waits + 1);
-    renderer.render(scene, k_extent.width, k_extent.height);
+    renderer.render(scene, k_host_extent.width, k_host_extent.height);
     CHECK(semaphore_waits() == waits + 1);
 }
 
@@ -160,14 +160,14 @@ TEST_CASE("a recorded frame has no barrier of all commands, unless its caller as
     const FaultModels models;
     const Scene scene = scene_of(*gpu, models);
     const DeviceContext context = noting_barriers(gpu->context());
-    RendererOptions options = k_plain;
+    RendererOptions options = k_host_plain;
     options.check_silhouettes = true;
     Renderer renderer(context, options);
-    const Image image = make_picture_image(context, k_extent);
+    const Image image = make_picture_image(context, k_host_extent);
     const Image depth(
         context,
         {.format = VK_FORMAT_D32_SFLOAT,
-         .extent = k_extent,
+         .extent = k_host_extent,
          .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
          .sampled_aspect = VK_IMAGE_ASPECT_DEPTH_BIT},
         "a backdrop");
@@ -219,8 +219,8 @@ TEST_CASE("frames in one command buffer wait for each other where they must") {
     for (const std::uint32_t samples : {1u, 4u}) {
         if ((context.sample_counts & samples) == 0) continue;
         Renderer renderer(context, {.samples = samples, .scale = 2, .check_silhouettes = true});
-        const Image image = make_picture_image(context, k_extent);
-        const Buffer pixels = make_picture_buffer(context, k_extent);
+        const Image image = make_picture_image(context, k_host_extent);
+        const Buffer pixels = make_picture_buffer(context, k_host_extent);
         PictureTarget target = picture_target(image);
         for (const PictureUse use : {PictureUse::whole, PictureUse::layer}) {
             target.use = use;
@@ -229,7 +229,7 @@ TEST_CASE("frames in one command buffer wait for each other where they must") {
                 context,
                 [&](Commands commands) {
                     renderer.record(commands, scene, target);
-                    record_read_back(commands, image.handle(), k_extent, pixels);
+                    record_read_back(commands, image.handle(), k_host_extent, pixels);
                     renderer.record(commands, scene, target);
                 },
                 uploaded);
@@ -238,15 +238,15 @@ TEST_CASE("frames in one command buffer wait for each other where they must") {
     // Between frames of a cloud nothing else waits for copies.
     SplatRenderer splats(context, {.scale = 1});
     const SplatScene cloud{.camera = {.eye = {0, 0, 5}}, .radius = 1.0};
-    const Image image = make_picture_image(context, k_extent);
-    const Buffer pixels = make_picture_buffer(context, k_extent);
+    const Image image = make_picture_image(context, k_host_extent);
+    const Buffer pixels = make_picture_buffer(context, k_host_extent);
     const PictureTarget target = picture_target(image);
     const UploadPoint uploaded = splats.prepare(cloud, target);
     run_commands(
         context,
         [&](Commands commands) {
             splats.record(commands, cloud, target);
-            record_read_back(commands, image.handle(), k_extent, pixels);
+            record_read_back(commands, image.handle(), k_host_extent, pixels);
             splats.record(commands, cloud, target);
         },
         uploaded);

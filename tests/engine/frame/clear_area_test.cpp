@@ -16,7 +16,7 @@
 namespace rimline {
 namespace {
 
-constexpr VkExtent2D k_size{160, 96};
+constexpr VkExtent2D k_clear_area_size{160, 96};
 
 TEST_CASE("the CPU and GPUs that draw tiles clear what they draw, and other GPUs the whole image") {
     for (const VkDriverId driver : {VK_DRIVER_ID_MESA_LLVMPIPE, VK_DRIVER_ID_GOOGLE_SWIFTSHADER,
@@ -61,8 +61,8 @@ DeviceContext taken_for(const DeviceContext& own, VkPhysicalDeviceType type, VkD
 Picture draw(const DeviceContext& context, const RendererOptions& options, const Scene& before,
              const Scene& scene, PictureUse use) {
     Renderer renderer(context, options);
-    const Image image = make_picture_image(context, k_size);
-    const Buffer pixels = make_picture_buffer(context, k_size);
+    const Image image = make_picture_image(context, k_clear_area_size);
+    const Buffer pixels = make_picture_buffer(context, k_clear_area_size);
     PictureTarget target = picture_target(image);
     target.use = use;
     for (const Scene* drawn : {&before, &scene}) {
@@ -72,14 +72,15 @@ Picture draw(const DeviceContext& context, const RendererOptions& options, const
             context,
             [&](Commands commands) {
                 renderer.record(commands, *drawn, target);
-                record_read_back(commands, image.handle(), k_size, pixels);
+                record_read_back(commands, image.handle(), k_clear_area_size, pixels);
             },
             uploaded);
     }
-    return read_picture(pixels, k_size);
+    return read_picture(pixels, k_clear_area_size);
 }
 
-TEST_CASE("a picture is the same whatever is cleared, and a GPU clears whole images") {
+TEST_CASE("a picture is the same whatever is cleared and a GPU clears whole images" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     const DeviceContext cpu =
         taken_for(gpu->context(), VK_PHYSICAL_DEVICE_TYPE_CPU, VK_DRIVER_ID_MESA_LLVMPIPE);
@@ -87,7 +88,7 @@ TEST_CASE("a picture is the same whatever is cleared, and a GPU clears whole ima
         taken_for(gpu->context(), VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU, VK_DRIVER_ID_MESA_RADV);
     const tests::Model model(make_built_in_shape("knot", 2000));
     Scene scene{.camera = fit_camera({}, model.mesh, default_view_direction({0, 1, 0}),
-                                     double(k_size.width) / k_size.height)};
+                                     double(k_clear_area_size.width) / k_clear_area_size.height)};
     scene.instances.push_back({.octree = &model.octree});
     scene.lights = {default_sun(scene.camera), {.vector = {0.4, 3.0, 1.0}, .directional = false}};
     Scene before = scene;  // Leaves something beside what is drawn next.
@@ -107,10 +108,10 @@ TEST_CASE("a picture is the same whatever is cleared, and a GPU clears whole ima
             // The last scope clears a caller's image, and is the same on both.
             REQUIRE(parts.size() == (use == PictureUse::layer ? 3 : 2));
             for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
-                CHECK(parts[i].extent.width < 2 * k_size.width);
+                CHECK(parts[i].extent.width < 2 * k_clear_area_size.width);
                 CHECK(wholes[i].offset.x == 0);
-                CHECK(wholes[i].extent.width == 2 * k_size.width);
-                CHECK(wholes[i].extent.height == 2 * k_size.height);
+                CHECK(wholes[i].extent.width == 2 * k_clear_area_size.width);
+                CHECK(wholes[i].extent.height == 2 * k_clear_area_size.height);
             }
         }
 }

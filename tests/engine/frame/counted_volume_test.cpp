@@ -18,6 +18,7 @@
 #include "tests/engine/support/shadow_scenes.h"
 #include "tests/engine/support/tracked_volume.h"
 #include "tests/models.h"
+#include "tests/rounds.h"
 
 using namespace rimline;
 using namespace rimline::tests;
@@ -113,7 +114,7 @@ TEST_CASE("no ray meets more triangles than the bound, of a volume and of each o
     int cases = 0;
     std::size_t parts = 0;
     for (const Model& model : models)
-        for (std::size_t i = 0; i < 3 * k_distances.size(); ++i) {
+        for (std::size_t i = 0; i < tests::rounds(std::size_t{3}) * k_distances.size(); ++i) {
             const Mesh& mesh = model.mesh;
             glm::dvec3 towards(random.in_cube());
             // On the axes' planes, and on an axis.

@@ -25,7 +25,7 @@ namespace {
 
 using namespace rimline::tests;
 
-constexpr std::uint32_t k_size = 128;
+constexpr std::uint32_t k_near_count_size = 128;
 constexpr std::uint32_t k_stacked = 300;
 
 // The triangles between a point and the light, of those that cast, in exact arithmetic. -1 where one is touched at a
@@ -230,10 +230,10 @@ TEST_CASE("lamps within the bounds of what casts give the same picture by every 
             if (tries % 4 == 1) scene.lights.push_back(sun({0.3, 1.0, 0.2}));
             scene.shadow_method = ShadowMethod::fail;
             scene.shadow_form = ShadowForm::general;
-            const Picture expected = renderer.render(scene, k_size, k_size);
+            const Picture expected = renderer.render(scene, k_near_count_size, k_near_count_size);
             scene.shadow_method = ShadowMethod::automatic;
             scene.shadow_form = ShadowForm::automatic;
-            const Picture drawn = renderer.render(scene, k_size, k_size);
+            const Picture drawn = renderer.render(scene, k_near_count_size, k_near_count_size);
             const ShadowReport& shadow = renderer.report().shadows.at(0);
             passes += shadow.choice.method == ShadowMethod::pass ? 1 : 0;
             singles += shadow.choice.form == ShadowForm::single ? 1 : 0;
@@ -282,10 +282,10 @@ TEST_CASE("a camera in the shadow sees the same picture by every method" *
                         .lines = false};
             scene.shadow_method = ShadowMethod::fail;
             scene.shadow_form = ShadowForm::general;
-            const Picture expected = renderer.render(scene, k_size, k_size);
+            const Picture expected = renderer.render(scene, k_near_count_size, k_near_count_size);
             scene.shadow_method = ShadowMethod::automatic;
             scene.shadow_form = ShadowForm::automatic;
-            const Picture drawn = renderer.render(scene, k_size, k_size);
+            const Picture drawn = renderer.render(scene, k_near_count_size, k_near_count_size);
             counted += std::string_view(renderer.report().shadows.at(0).choice.method_reason) ==
                                "the count is the same at all of the near plane"
                            ? 1

@@ -65,7 +65,7 @@ DeviceContext with_made_up_clock(const DeviceContext& own, std::uint32_t valid_b
     return context;
 }
 
-constexpr VkExtent2D k_size{32, 24};
+constexpr VkExtent2D k_pass_clock_size{32, 24};
 
 Scene scene_of(const tests::Model& model, std::size_t lights) {
     Scene scene{.camera = {.eye = {0, 1, 4}}};
@@ -99,17 +99,17 @@ TEST_CASE("a frame's passes have the times between the timestamps around them") 
     for (const std::uint32_t bits : {64u, 36u}) {
         Renderer renderer(with_made_up_clock(gpu->context(), bits),
                           {.samples = 1, .scale = 1, .pass_times = true});
-        renderer.render(scene_of(model, 1), k_size.width, k_size.height);
+        renderer.render(scene_of(model, 1), k_pass_clock_size.width, k_pass_clock_size.height);
         CHECK(names_of(renderer.report()) == k_one_light);
         CHECK(times_of(renderer.report()) == k_one_light_ms);
         CHECK_FALSE(made_up.waited);
         // More lights than before: another pool.
-        renderer.render(scene_of(model, 3), k_size.width, k_size.height);
+        renderer.render(scene_of(model, 3), k_pass_clock_size.width, k_pass_clock_size.height);
         CHECK(renderer.report().passes.size() == 4 + 2 * 3);
         CHECK(renderer.report().passes[6].name == "shadow volumes, light 2");
         Scene scene = scene_of(model, 1);
         scene.shadows = false;
-        renderer.render(scene, k_size.width, k_size.height);
+        renderer.render(scene, k_pass_clock_size.width, k_pass_clock_size.height);
         CHECK(names_of(renderer.report()) ==
               std::vector<std::string>{"silhouettes", "surfaces", "lines", "picture"});
     }
@@ -122,7 +122,7 @@ TEST_CASE("without the option, or without timestamps in the queue, no time is ta
     for (const auto& [bits, pass_times] : {std::pair{64u, false}, {0u, true}}) {
         Renderer renderer(with_made_up_clock(gpu->context(), bits),
                           {.samples = 1, .scale = 1, .pass_times = pass_times});
-        renderer.render(scene, k_size.width, k_size.height);
+        renderer.render(scene, k_pass_clock_size.width, k_pass_clock_size.height);
         CHECK(renderer.report().passes.empty());
         CHECK(made_up.written == 0);
     }
@@ -134,7 +134,7 @@ TEST_CASE("times that are not there yet are left out, and nobody waits for them"
     Renderer renderer(with_made_up_clock(gpu->context(), 64),
                       {.samples = 1, .scale = 1, .pass_times = true});
     made_up.is_there = false;
-    renderer.render(scene_of(model, 1), k_size.width, k_size.height);
+    renderer.render(scene_of(model, 1), k_pass_clock_size.width, k_pass_clock_size.height);
     CHECK(renderer.report().passes.empty());
     CHECK(made_up.written == 8);
     CHECK_FALSE(made_up.waited);
@@ -147,7 +147,7 @@ TEST_CASE("a caller that submits learns the passes when the ring slot is used ag
     const DeviceContext context = with_made_up_clock(gpu->context(), 64);
     Renderer renderer(context,
                       {.samples = 1, .scale = 1, .frames_in_flight = 2, .pass_times = true});
-    const Image image = make_picture_image(context, k_size);
+    const Image image = make_picture_image(context, k_pass_clock_size);
     const PictureTarget target = picture_target(image);
     const OwnedCommandPool pool = make_command_pool(context, "test", context.queue_family);
     const std::array buffers{make_commands(context, pool), make_commands(context, pool)};

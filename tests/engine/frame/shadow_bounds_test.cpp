@@ -24,11 +24,11 @@ namespace {
 
 using namespace rimline::tests;
 
-constexpr std::uint32_t k_width = 96;
-constexpr std::uint32_t k_height = 72;
+constexpr std::uint32_t k_shadow_bounds_width = 96;
+constexpr std::uint32_t k_shadow_bounds_height = 72;
 
 bool is_limited(const ShadowReach& reach) {
-    return reach.width < k_width || reach.height < k_height;
+    return reach.width < k_shadow_bounds_width || reach.height < k_shadow_bounds_height;
 }
 
 struct Extent {
@@ -42,8 +42,8 @@ Extent extent_of(const ShadowReach& reach) {
 
 bool contains(const ShadowReach& reach, std::size_t pixel, float depth) {
     const Extent extent = extent_of(reach);
-    const auto x = static_cast<std::int64_t>(pixel % k_width);
-    const auto y = static_cast<std::int64_t>(pixel / k_width);
+    const auto x = static_cast<std::int64_t>(pixel % k_shadow_bounds_width);
+    const auto y = static_cast<std::int64_t>(pixel / k_shadow_bounds_width);
     return x >= extent.left && x < extent.right && y >= extent.top && y < extent.bottom &&
            depth >= reach.min_depth && depth <= reach.max_depth;
 }
@@ -64,9 +64,10 @@ public:
         CAPTURE(name);
         scene.style = Style::mask;
         scene.palette = default_palette(Style::mask, {0.02f, 0.1f, 0.5f});
-        const Picture some = limited_.render(scene, k_width, k_height);
+        const Picture some = limited_.render(scene, k_shadow_bounds_width, k_shadow_bounds_height);
         const std::vector<ShadowReport> shadows = limited_.report().shadows;
-        const Picture all = everywhere_.render(scene, k_width, k_height);
+        const Picture all =
+            everywhere_.render(scene, k_shadow_bounds_width, k_shadow_bounds_height);
         std::vector<Mark> marks;
         for (std::size_t at = 0; at < some.rgba.size(); at += 4)
             if (!std::equal(&some.rgba[at], &some.rgba[at] + 4, &all.rgba[at]))
@@ -74,11 +75,12 @@ public:
         save_picture("limited_" + name, some, marks);
         CHECK(marks.size() == 0);
         if (++scenes_ % 8 == 0)
-            CHECK(fine_.render(scene, k_width, k_height).rgba ==
-                  fine_everywhere_.render(scene, k_width, k_height).rgba);
+            CHECK(
+                fine_.render(scene, k_shadow_bounds_width, k_shadow_bounds_height).rgba ==
+                fine_everywhere_.render(scene, k_shadow_bounds_width, k_shadow_bounds_height).rgba);
         // The whole picture is drawn where its grid is.
         scene.palette.grid_strength = 1e-30f;
-        everywhere_.render(scene, k_width, k_height);
+        everywhere_.render(scene, k_shadow_bounds_width, k_shadow_bounds_height);
         const Image& image = everywhere_.targets()->depth();
         const std::vector<std::uint8_t> counts = read_stencil(context_, image);
         const std::vector<float> depths = read_depth(context_, image);
@@ -96,7 +98,8 @@ public:
         CHECK(beyond == 0);
         for (const ShadowReport& shadow : shadows) {
             limited_count_ += is_limited(shadow.reach) ? 1 : 0;
-            area_ += double(shadow.reach.width) * shadow.reach.height / (k_width * k_height);
+            area_ += double(shadow.reach.width) * shadow.reach.height /
+                     (k_shadow_bounds_width * k_shadow_bounds_height);
             depth_limited_ += shadow.reach.min_depth > 0.0f ? 1 : 0;
             ++volumes_;
         }
@@ -132,8 +135,8 @@ TEST_CASE("shadows of random scenes lie within their limits" * doctest::test_sui
     CHECK(limits.depth_limited() > 100);
 }
 
-TEST_CASE(
-    "shadows of several casters lie within their limits, wherever the light and the eye are") {
+TEST_CASE("shadows of several casters lie within their limits wherever the light and the eye are" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     const Model ground(square(20.0, -1.6));
     const Model knot(make_built_in_shape("knot", 1500));
@@ -193,7 +196,7 @@ TEST_CASE("a shadow that cannot be in the picture is not drawn") {
     const auto reach = [&](bool has_backdrop) {
         CasterMeshes casters;
         casters.try_emplace(&box.mesh, box.mesh);
-        const FrameView view(scene, {k_width, k_height}, casters);
+        const FrameView view(scene, {k_shadow_bounds_width, k_shadow_bounds_height}, casters);
         return ShadowBounds(view, has_backdrop).reach_of(0, 0, 0.0f);
     };
     CHECK(reach(false).is_empty());
@@ -219,7 +222,7 @@ TEST_CASE("the limits of a shadow are no wider than its caster and its shadow") 
             Scene scene{.instances = {instance_of(box), ground_of(ground)},
                         .lights = {light},
                         .camera = looking({5, 8, 9}, {0, -0.6, 0}, height)};
-            renderer.render(scene, k_width, k_height);
+            renderer.render(scene, k_shadow_bounds_width, k_shadow_bounds_height);
             REQUIRE(renderer.report().shadows.size() == 1);
             const Extent found = extent_of(renderer.report().shadows[0].reach);
             const std::vector<std::uint8_t> counts =
@@ -227,14 +230,14 @@ TEST_CASE("the limits of a shadow are no wider than its caster and its shadow") 
             scene.instances.pop_back();
             scene.shadows = false;
             scene.palette.grid_strength = 1e-30f;
-            renderer.render(scene, k_width, k_height);
+            renderer.render(scene, k_shadow_bounds_width, k_shadow_bounds_height);
             const std::vector<float> depths =
                 read_depth(gpu->context(), renderer.targets()->depth());
-            Extent needed{k_width, k_height, 0, 0};
+            Extent needed{k_shadow_bounds_width, k_shadow_bounds_height, 0, 0};
             for (std::size_t pixel = 0; pixel < counts.size(); ++pixel) {
                 if (counts[pixel] == 0 && depths[pixel] == 0.0f) continue;
-                const auto x = static_cast<std::int64_t>(pixel % k_width);
-                const auto y = static_cast<std::int64_t>(pixel / k_width);
+                const auto x = static_cast<std::int64_t>(pixel % k_shadow_bounds_width);
+                const auto y = static_cast<std::int64_t>(pixel / k_shadow_bounds_width);
                 needed = {std::min(needed.left, x), std::min(needed.top, y),
                           std::max(needed.right, x + 1), std::max(needed.bottom, y + 1)};
             }

@@ -364,7 +364,8 @@ TEST_CASE("what a plate hides is hidden, and its borders are lines unless they a
     CHECK(measured_once(alone, {.has_borders = false}).ratio() == 0.0);
 }
 
-TEST_CASE("scaling a mesh and its viewpoints by a power of two changes nothing") {
+TEST_CASE("scaling a mesh and its viewpoints by a power of two changes nothing" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     MeshSource source = make_built_in_shape("scene");
     const Model model(source);

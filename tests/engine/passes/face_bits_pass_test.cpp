@@ -83,7 +83,7 @@ TEST_CASE("the GPU's face bits equal the CPU's on planes whose sides hang on the
     CHECK(fronts < 800'000);
 }
 
-TEST_CASE("the GPU's face bits equal the CPU's on real models") {
+TEST_CASE("the GPU's face bits equal the CPU's on real models" * doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     for (const char* name : {"stanford-bunny.obj", "fandisk.obj", "beetle-alt.obj"}) {
         CAPTURE(name);

@@ -38,8 +38,8 @@ using namespace rimline::tests;
 
 namespace {
 
-constexpr std::uint32_t k_size = 512;
-constexpr glm::dvec2 k_picture(k_size);
+constexpr std::uint32_t k_line_coverage_size = 512;
+constexpr glm::dvec2 k_picture(k_line_coverage_size);
 constexpr float k_line_width_px = 2.5f;
 constexpr double k_sample_step_px = 0.25;
 constexpr double k_ink = 0.5;         // Darker pixels are inked ...
@@ -47,7 +47,7 @@ constexpr double k_trace = 0.05;      // ... and these not white.
 constexpr double k_covered_px = 1.0;  // Ink lies no farther than this from what is clearly seen.
 
 constexpr RendererOptions k_usual{};
-constexpr RendererOptions k_plain{.samples = 1, .scale = 1};
+constexpr RendererOptions k_line_coverage_plain{.samples = 1, .scale = 1};
 
 enum class Sight {
     clear,  ///< Seen, and so is what lies a pixel outwards.
@@ -182,12 +182,13 @@ template <typename Function>
 void for_pixels_around(glm::dvec2 place, double radius, Function&& function) {
     const auto first = [&](double c) { return std::max(0, int(std::floor(c - radius))); };
     const auto last = [&](double c) {
-        return std::min(int(k_size) - 1, int(std::floor(c + radius)));
+        return std::min(int(k_line_coverage_size) - 1, int(std::floor(c + radius)));
     };
     for (int y = first(place.y); y <= last(place.y); ++y)
         for (int x = first(place.x); x <= last(place.x); ++x)
             if (glm::distance(place, glm::dvec2(x + 0.5, y + 0.5)) <= radius)
-                function(static_cast<std::size_t>(y) * k_size + static_cast<std::size_t>(x));
+                function(static_cast<std::size_t>(y) * k_line_coverage_size +
+                         static_cast<std::size_t>(x));
 }
 
 double darkness(const Picture& picture, std::size_t pixel) {
@@ -209,7 +210,7 @@ struct Coverage {
 Coverage compare(const Picture& picture, const std::vector<Sample>& samples,
                  const std::string& name) {
     Coverage coverage{.samples = samples.size()};
-    std::vector<bool> may_be_inked(std::size_t{k_size} * k_size);
+    std::vector<bool> may_be_inked(std::size_t{k_line_coverage_size} * k_line_coverage_size);
     std::vector<bool> near_seen(may_be_inked.size());
     std::vector<Mark> marks;
     for (const Sample& sample : samples) {
@@ -266,7 +267,7 @@ Scene line_scene(const Model& model) {
 Coverage coverage_of(const Gpu& gpu, const std::string& name, const Scene& scene,
                      const std::vector<Sample>& samples, const RendererOptions& options) {
     Renderer renderer(gpu.context(), options);
-    const Picture picture = renderer.render(scene, k_size, k_size);
+    const Picture picture = renderer.render(scene, k_line_coverage_size, k_line_coverage_size);
     const Coverage coverage = compare(picture, samples, name + "_" + std::to_string(options.scale));
     std::printf(
         "%-18s scale %u: %6zu samples, %5zu seen, %5zu clearly, %5zu hidden; %zu bare, %zu faint; "
@@ -279,7 +280,8 @@ Coverage coverage_of(const Gpu& gpu, const std::string& name, const Scene& scene
 
 void check_lines(const Gpu& gpu, const std::string& name, const Scene& scene,
                  const std::vector<Sample>& samples,
-                 std::initializer_list<RendererOptions> all_options = {k_usual, k_plain}) {
+                 std::initializer_list<RendererOptions> all_options = {k_usual,
+                                                                       k_line_coverage_plain}) {
     for (const RendererOptions& options : all_options) {
         const Coverage coverage = coverage_of(gpu, name, scene, samples, options);
         const auto inked = static_cast<double>(coverage.inked);
@@ -331,7 +333,8 @@ TEST_CASE("creases are inked where rays see them ridges and valleys alike" *
     check_lines(*gpu, "fandisk, creased", scene);
 }
 
-TEST_CASE("lines are inked where rays see them in every style and by every line path") {
+TEST_CASE("lines are inked where rays see them in every style and by every line path" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     const Model model(make_built_in_shape("scene"));
     Scene scene = line_scene(model);
@@ -372,7 +375,7 @@ TEST_CASE("the foot of a thing is inked where it stands on the ground not where 
             scene.instances.push_back({.octree = &ground.octree, .has_lines = false});
             const RayReference rays(scene);
             const LineReference lines(scene, rays);
-            for (const RendererOptions& options : {k_usual, k_plain}) {
+            for (const RendererOptions& options : {k_usual, k_line_coverage_plain}) {
                 const std::string name = (orthographic ? "foot, flat " : "foot ") +
                                          std::to_string(int(std::lround(height * 1e4f)));
                 const Coverage coverage = coverage_of(*gpu, name, scene, lines.samples(), options);

@@ -13,17 +13,17 @@ using namespace rimline;
 
 namespace {
 
-constexpr VkExtent2D k_extent{16, 8};
+constexpr VkExtent2D k_overlay_pass_extent{16, 8};
 constexpr std::array<std::uint8_t, 3> k_paper{200, 100, 50};
 
 using Pixel = std::array<int, 3>;
 
 // Draws over an even picture and reads it back.
-class Drawn {
+class DrawnOverlay {
 public:
-    Drawn(const DeviceContext& context, OverlayPass& pass, const OverlayDrawing& drawing) {
+    DrawnOverlay(const DeviceContext& context, OverlayPass& pass, const OverlayDrawing& drawing) {
         const Image image(context,
-                          {VK_FORMAT_R8G8B8A8_UNORM, k_extent,
+                          {VK_FORMAT_R8G8B8A8_UNORM, k_overlay_pass_extent,
                            VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT},
                           "the test's picture");
         const Buffer pixels(context, bytes_.size(), BufferPlace::readback, "the test's pixels");
@@ -41,19 +41,20 @@ public:
             color.clearValue.color = {{float(k_paper[0]) / 255.0f, float(k_paper[1]) / 255.0f,
                                        float(k_paper[2]) / 255.0f, 1.0f}};
             const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
-                                            .renderArea = {{0, 0}, k_extent},
+                                            .renderArea = {{0, 0}, k_overlay_pass_extent},
                                             .layerCount = 1,
                                             .colorAttachmentCount = 1,
                                             .pColorAttachments = &color};
             commands->CmdBeginRendering(commands, &rendering);
-            pass.record(commands, 0, drawing, k_extent);
+            pass.record(commands, 0, drawing, k_overlay_pass_extent);
             commands->CmdEndRendering(commands);
             record_barrier(commands, k_drawing,
                            {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT},
                            {{image, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
                              VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL}});
-            const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
-                                           .imageExtent = {k_extent.width, k_extent.height, 1}};
+            const VkBufferImageCopy region{
+                .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
+                .imageExtent = {k_overlay_pass_extent.width, k_overlay_pass_extent.height, 1}};
             commands->CmdCopyImageToBuffer(commands, image.handle(),
                                            VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, pixels.handle(), 1,
                                            &region);
@@ -64,12 +65,13 @@ public:
     }
 
     Pixel at(std::uint32_t x, std::uint32_t y) const {
-        const std::uint8_t* pixel = &bytes_[4 * (y * k_extent.width + x)];
+        const std::uint8_t* pixel = &bytes_[4 * (y * k_overlay_pass_extent.width + x)];
         return {pixel[0], pixel[1], pixel[2]};
     }
 
 private:
-    std::array<std::uint8_t, 4 * k_extent.width * k_extent.height> bytes_{};
+    std::array<std::uint8_t, 4 * k_overlay_pass_extent.width * k_overlay_pass_extent.height>
+        bytes_{};
 };
 
 constexpr std::uint32_t color_of(std::uint32_t r, std::uint32_t g, std::uint32_t b,
@@ -92,7 +94,7 @@ void add_rectangle(OverlayDrawing& drawing, glm::vec2 low, glm::vec2 high, std::
 }
 
 OverlayDrawing drawing_of_picture() {
-    return {.unit_size = {float(k_extent.width), float(k_extent.height)}};
+    return {.unit_size = {float(k_overlay_pass_extent.width), float(k_overlay_pass_extent.height)}};
 }
 
 int mixed(int over, int under, double alpha) {
@@ -103,7 +105,7 @@ void check_near(const Pixel& found, const Pixel& expected) {
     for (std::size_t i = 0; i < 3; ++i) CHECK(std::abs(found[i] - expected[i]) <= 1);
 }
 
-constexpr VkRect2D k_everywhere{{0, 0}, k_extent};
+constexpr VkRect2D k_everywhere{{0, 0}, k_overlay_pass_extent};
 const Pixel k_untouched{k_paper[0], k_paper[1], k_paper[2]};
 
 }  // namespace
@@ -113,7 +115,7 @@ TEST_CASE("an overlay mixes sRGB values as they are stored, and leaves the rest 
     OverlayPass pass(gpu->context(), VK_FORMAT_R8G8B8A8_UNORM, 1);
     OverlayDrawing drawing = drawing_of_picture();
     add_rectangle(drawing, {2, 1}, {6, 5}, color_of(10, 250, 90, 128), k_everywhere);
-    const Drawn drawn(gpu->context(), pass, drawing);
+    const DrawnOverlay drawn(gpu->context(), pass, drawing);
     const double alpha = 128.0 / 255.0;
     check_near(drawn.at(2, 1),
                {mixed(10, 200, alpha), mixed(250, 100, alpha), mixed(90, 50, alpha)});
@@ -131,9 +133,9 @@ TEST_CASE("scissors cut the parts of an overlay, those beyond the picture too") 
     add_rectangle(drawing, {-50, -50}, {50, 50}, red, {{-4, -4}, {7, 6}});
     add_rectangle(drawing, {-50, -50}, {50, 50}, red, {{14, 6}, {100, 100}});
     add_rectangle(drawing, {-50, -50}, {50, 50}, red, {{40, 40}, {5, 5}});
-    const Drawn drawn(gpu->context(), pass, drawing);
-    for (std::uint32_t y = 0; y < k_extent.height; ++y)
-        for (std::uint32_t x = 0; x < k_extent.width; ++x) {
+    const DrawnOverlay drawn(gpu->context(), pass, drawing);
+    for (std::uint32_t y = 0; y < k_overlay_pass_extent.height; ++y)
+        for (std::uint32_t x = 0; x < k_overlay_pass_extent.width; ++x) {
             const bool inside = (x < 3 && y < 2) || (x >= 14 && y >= 6);
             CHECK(drawn.at(x, y) == (inside ? Pixel{255, 0, 0} : k_untouched));
         }
@@ -146,7 +148,7 @@ TEST_CASE("later parts lie over earlier ones, and the origin moves all of them")
     drawing.origin = {100, 200};
     add_rectangle(drawing, {100, 200}, {108, 208}, color_of(255, 0, 0, 255), k_everywhere);
     add_rectangle(drawing, {104, 200}, {112, 208}, color_of(0, 0, 255, 255), k_everywhere);
-    const Drawn drawn(gpu->context(), pass, drawing);
+    const DrawnOverlay drawn(gpu->context(), pass, drawing);
     CHECK(drawn.at(3, 3) == Pixel{255, 0, 0});
     CHECK(drawn.at(4, 3) == Pixel{0, 0, 255});
     CHECK(drawn.at(11, 7) == Pixel{0, 0, 255});
@@ -160,8 +162,8 @@ TEST_CASE("an overlay's opacity is its texture's, read between the texels' middl
     pass.set_texture(2, 1, k_opacity);
     OverlayDrawing drawing = drawing_of_picture();
     add_rectangle(drawing, {0, 0}, {16, 8}, color_of(0, 0, 0, 255), k_everywhere);
-    const Drawn drawn(gpu->context(), pass, drawing);
-    for (std::uint32_t x = 0; x < k_extent.width; ++x) {
+    const DrawnOverlay drawn(gpu->context(), pass, drawing);
+    for (std::uint32_t x = 0; x < k_overlay_pass_extent.width; ++x) {
         // Texel middles lie at a quarter and three quarters of the width.
         const double alpha = std::clamp((double(x) + 0.5) / 8.0 - 0.5, 0.0, 1.0);
         check_near(drawn.at(x, 3),
@@ -173,12 +175,12 @@ TEST_CASE("an overlay without parts draws nothing, and one that grows gets the r
     RIMLINE_OPEN_GPU(gpu);
     OverlayPass pass(gpu->context(), VK_FORMAT_R8G8B8A8_UNORM, 1);
     OverlayDrawing drawing = drawing_of_picture();
-    CHECK(Drawn(gpu->context(), pass, drawing).at(0, 0) == k_untouched);
+    CHECK(DrawnOverlay(gpu->context(), pass, drawing).at(0, 0) == k_untouched);
     for (int i = 0; i < 500; ++i) {
         const auto at = glm::vec2(float(i % 16), float(i / 16 % 8));
         add_rectangle(drawing, at, at + 1.0f, color_of(1, 2, 3, 255), k_everywhere);
     }
-    const Drawn drawn(gpu->context(), pass, drawing);
+    const DrawnOverlay drawn(gpu->context(), pass, drawing);
     CHECK(drawn.at(0, 0) == Pixel{1, 2, 3});
     CHECK(drawn.at(15, 7) == Pixel{1, 2, 3});
 }

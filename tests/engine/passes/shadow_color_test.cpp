@@ -11,7 +11,7 @@
 namespace rimline {
 namespace {
 
-constexpr std::uint32_t k_side = 96;
+constexpr std::uint32_t k_shadow_color_side = 96;
 
 // With a second light whose share is too small to be seen, the lights are drawn after the surfaces, one by one.
 Scene with_lights_apart(Scene scene) {
@@ -77,20 +77,22 @@ TEST_CASE("surfaces drawn at once with their color in shadow are those drawn lig
         }
         Renderer& renderer = number % 6 == 0 ? with_backs : with_lines;
         CAPTURE(number);
-        const Picture at_once = renderer.render(scene, k_side, k_side);
+        const Picture at_once = renderer.render(scene, k_shadow_color_side, k_shadow_color_side);
         const auto& passes = renderer.report().passes;
         if (!passes.empty()) CHECK(passes[3].name == "surfaces, in shadow");
-        const Picture apart = renderer.render(with_lights_apart(scene), k_side, k_side);
+        const Picture apart =
+            renderer.render(with_lights_apart(scene), k_shadow_color_side, k_shadow_color_side);
         if (!passes.empty()) CHECK(renderer.report().passes[3].name == "surfaces, light 0");
         const Difference ways = difference(at_once, apart);
         CHECK(ways.greatest <= 1);
         different += ways.pixels;
         scene.shadows = false;
-        const Difference shadows = difference(at_once, renderer.render(scene, k_side, k_side));
+        const Difference shadows =
+            difference(at_once, renderer.render(scene, k_shadow_color_side, k_shadow_color_side));
         if (shadows.greatest > 20) ++shaded;
     }
     CHECK(shaded > 24);
-    CHECK(different < 48 * k_side * k_side / 50);
+    CHECK(different < 48 * k_shadow_color_side * k_shadow_color_side / 50);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ using namespace rimline::tests;
 
 namespace {
 
-constexpr std::uint32_t k_size = 256;
+constexpr std::uint32_t k_shadow_count_size = 256;
 
 // Counts along rays in double, triangle by triangle.
 class Counts {
@@ -42,7 +42,7 @@ public:
 
     /// Between the light and the viewer's side of what is seen there; nothing where nothing is.
     std::optional<int> at(glm::dvec2 place) const {
-        const Ray ray = rays_.camera_ray(place, glm::dvec2(k_size));
+        const Ray ray = rays_.camera_ray(place, glm::dvec2(k_shadow_count_size));
         const std::optional<SurfacePoint> surface = rays_.first_surface(ray);
         if (!surface) return std::nullopt;
         const Light& light = scene_.lights[0];
@@ -98,7 +98,8 @@ private:
 
 }  // namespace
 
-TEST_CASE("the stencil counts the triangles between light and surface, of every class of mesh") {
+TEST_CASE("the stencil counts the triangles between light and surface of every class of mesh" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     constexpr std::uint64_t k_seed = 8;
     constexpr int k_points = 60;
@@ -135,21 +136,21 @@ TEST_CASE("the stencil counts the triangles between light and surface, of every 
                                 .lines = false};
                     scene.shadow_form = form;
                     // Depth pass counts the same: auto draws by it where it can.
-                    renderer.render(scene, k_size, k_size);
+                    renderer.render(scene, k_shadow_count_size, k_shadow_count_size);
                     const std::vector<std::uint8_t> stencil =
                         read_stencil(gpu->context(), renderer.targets()->depth());
                     const Counts counts(scene, renderer.report().shadows);
                     for (const ShadowReport& shadow : renderer.report().shadows)
                         singles += shadow.choice.form == ShadowForm::single ? 1 : 0;
                     for (int tries = 0; tries < k_points; ++tries) {
-                        const std::uint32_t x = random.below(k_size);
-                        const std::uint32_t y = random.below(k_size);
+                        const std::uint32_t x = random.below(k_shadow_count_size);
+                        const std::uint32_t y = random.below(k_shadow_count_size);
                         const std::optional<int> expected = counts.clearly_at({x + 0.5, y + 0.5});
                         if (!expected) continue;
                         ++points;
                         greatest = std::max(greatest, *expected);
                         INFO(of.name, ", at ", x, ", ", y);
-                        CHECK(int{stencil[y * k_size + x]} == *expected);
+                        CHECK(int{stencil[y * k_shadow_count_size + x]} == *expected);
                     }
                 }
         std::printf("%s: %d points, up to %d in a row, %d times in the single form\n", of.name,

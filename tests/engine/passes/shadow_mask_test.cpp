@@ -38,7 +38,7 @@ using namespace rimline::tests;
 
 namespace {
 
-constexpr std::uint32_t k_size = 256;
+constexpr std::uint32_t k_shadow_mask_size = 256;
 constexpr int k_nothing = -1;  // A pixel without a surface; others are the number of lights there.
 
 // Of the pixels with a surface, over all draws of a case.
@@ -75,7 +75,7 @@ struct Seen {
 };
 
 Seen seen_by_rays(const RayReference& rays, glm::dvec2 place) {
-    const Ray ray = rays.camera_ray(place, glm::dvec2(k_size));
+    const Ray ray = rays.camera_ray(place, glm::dvec2(k_shadow_mask_size));
     const std::optional<SurfacePoint> surface = rays.first_surface(ray);
     return {surface ? static_cast<int>(rays.lights_at(*surface, ray)) : k_nothing, surface};
 }
@@ -91,8 +91,8 @@ bool is_silhouette_between(const RayReference& rays, const Seen& a, const Seen& 
     if (!a.surface || !b.surface) return a.surface.has_value() != b.surface.has_value();
     if (a.surface->instance != b.surface->instance) return true;
     const glm::dvec3& position = a.surface->position;
-    const double pixel =
-        glm::distance(rays.displaced(position, {1.0, 0.0}, glm::dvec2(k_size)), position);
+    const double pixel = glm::distance(
+        rays.displaced(position, {1.0, 0.0}, glm::dvec2(k_shadow_mask_size)), position);
     return glm::distance(position, b.surface->position) > k_leap_px * pixel;
 }
 
@@ -148,7 +148,7 @@ public:
         scene.style = Style::mask;
         scene.palette = default_palette(Style::mask, {0.02f, 0.1f, 0.5f});
         scene.lines = false;
-        const Picture picture = renderer_.render(scene, k_size, k_size);
+        const Picture picture = renderer_.render(scene, k_shadow_mask_size, k_shadow_mask_size);
         const std::vector<int> drawn = lights_in(picture, scene.lights.size());
         if (!reference.empty()) scene.lights = reference;
         const RayReference rays(scene);
@@ -156,7 +156,8 @@ public:
         ++draws_;
         ++number_;
         for (std::size_t at = 0; at < drawn.size(); ++at) {
-            const glm::dvec2 place(double(at % k_size) + 0.5, double(at / k_size) + 0.5);
+            const glm::dvec2 place(double(at % k_shadow_mask_size) + 0.5,
+                                   double(at / k_shadow_mask_size) + 0.5);
             const int expected = lights_by_rays(rays, place);
             surface_ += expected == k_nothing ? 0.0 : 1.0;
             lit_ += expected > 0 ? 1.0 : 0.0;
@@ -167,17 +168,17 @@ public:
             const double distance = distance_to_boundary(rays, place);
             if (distance <= 1.0)
                 farthest_ = std::max(farthest_, distance);
-            else if (is_on_side(rays, place, glm::dvec2(k_size)))
+            else if (is_on_side(rays, place, glm::dvec2(k_shadow_mask_size)))
                 ++rounded_;
-            else if (!is_on_silhouette(rays, place, glm::dvec2(k_size)))
+            else if (!is_on_silhouette(rays, place, glm::dvec2(k_shadow_mask_size)))
                 wrong.push_back(at);
         }
         std::vector<Mark> marks;
         for (const std::size_t at : wrong) marks.push_back({at, {255, 0, 0}});
         save_picture(name_ + "_" + std::to_string(number_), picture, marks);
         INFO(name_, ", draw ", number_);
-        INFO("the first at x, y = ", wrong.empty() ? 0 : wrong[0] % k_size, ", ",
-             wrong.empty() ? 0 : wrong[0] / k_size);
+        INFO("the first at x, y = ", wrong.empty() ? 0 : wrong[0] % k_shadow_mask_size, ", ",
+             wrong.empty() ? 0 : wrong[0] / k_shadow_mask_size);
         CHECK(wrong.size() == 0);
     }
 
@@ -202,12 +203,13 @@ TEST_CASE("rays leave subnormal numbers as they are") {
     const Model box(make_built_in_shape("box", 12));
     const Scene scene{.instances = {instance_of(box)}, .camera = looking({3, 4, 5}, {})};
     const RayReference rays(scene);
-    CHECK(lights_by_rays(rays, {0.5 * k_size, 0.5 * k_size}) == 0);
+    CHECK(lights_by_rays(rays, {0.5 * k_shadow_mask_size, 0.5 * k_shadow_mask_size}) == 0);
     volatile float small = 0x1p-100f;
     CHECK(small * 0x1p-30f != 0.0f);
 }
 
-TEST_CASE("box, torus and knot shade themselves and the ground as rays say") {
+TEST_CASE("box torus and knot shade themselves and the ground as rays say" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     Comparison comparison(*gpu, "shapes");
     const Model& ground = comparison.keep(square(20.0, -1.6));
@@ -305,7 +307,8 @@ TEST_CASE("a light may be close to what casts, and inside it") {
     comparison.finish();
 }
 
-TEST_CASE("open sheets, soup, and what has no outside shade as rays say") {
+TEST_CASE("open sheets soup and what has no outside shade as rays say" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     Comparison comparison(*gpu, "open");
     const Model& ground = comparison.keep(square(20.0, -1.6));
@@ -331,7 +334,8 @@ TEST_CASE("open sheets, soup, and what has no outside shade as rays say") {
     comparison.finish();
 }
 
-TEST_CASE("a light may lie in a face's plane and in the planes of the axes") {
+TEST_CASE("a light may lie in a face's plane and in the planes of the axes" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     Comparison comparison(*gpu, "planes");
     const Model& ground = comparison.keep(square(20.0, -1.6));
@@ -398,7 +402,8 @@ TEST_CASE("a scene far from the origin shades as one at the origin") {
     comparison.finish();
 }
 
-TEST_CASE("a scene of large casters, 10^6 away from the origin, shades as rays say") {
+TEST_CASE("a scene of large casters 10^6 away from the origin shades as rays say" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     Comparison comparison(*gpu, "a million away");
     // Multiples of 1/16, as floats of this size are.
@@ -460,7 +465,7 @@ TEST_CASE("volumes that begin beside the camera shade up to the picture's border
     comparison.finish();
 }
 
-TEST_CASE("random scenes, cameras and lights shade as rays say") {
+TEST_CASE("random scenes cameras and lights shade as rays say" * doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     constexpr std::uint64_t k_seed = 20;
     CAPTURE(k_seed);

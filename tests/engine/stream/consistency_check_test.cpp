@@ -10,6 +10,7 @@
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/engine/support/gpu_fixture.h"
 #include "tests/engine/support/test_pictures.h"
+#include "tests/rounds.h"
 #include "tests/silhouette/hough/support/random_walk.h"
 
 namespace rimline {
@@ -42,7 +43,7 @@ private:
 TEST_CASE("over 10,000 random frames the GPU holds exactly what the trackers say") {
     RIMLINE_OPEN_GPU(gpu);
     constexpr std::uint32_t k_seed = 2026;
-    constexpr int k_frames = 10'000;
+    constexpr int k_frames = tests::rounds(10'000);
     CAPTURE(k_seed);
     std::mt19937 random(k_seed);
     SilhouetteService service({.workers = 1});
@@ -80,8 +81,8 @@ TEST_CASE("over 10,000 random frames the GPU holds exactly what the trackers say
         }
         REQUIRE(frames.run(silhouettes) == 0);
     }
-    CHECK(whole > 1000);
-    CHECK(in_part > 1000);
+    CHECK(whole > tests::rounds(1000u));
+    CHECK(in_part > tests::rounds(1000u));
 }
 
 TEST_CASE("a word that is wrong on the GPU is counted") {

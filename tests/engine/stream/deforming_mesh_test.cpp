@@ -25,9 +25,9 @@ GpuMesh uploaded(const DeviceContext& context, const Mesh& mesh, float crease_an
         context, [&](UploadBatch& batch) { return GpuMesh(batch, mesh, crease_angle_rad); });
 }
 
-class Subject {
+class DeformingSubject {
 public:
-    Subject(const DeviceContext& context, const MeshSource& source, float crease_angle_rad)
+    DeformingSubject(const DeviceContext& context, const MeshSource& source, float crease_angle_rad)
         : context_(context),
           mesh_(source),
           gpu_mesh_(uploaded(context, mesh_, crease_angle_rad)),
@@ -74,7 +74,7 @@ private:
 };
 
 // Bits and edges from the positions that the GPU has now.
-void check_silhouette(const Subject& subject, const HomogeneousPoint& point) {
+void check_silhouette(const DeformingSubject& subject, const HomogeneousPoint& point) {
     const Mesh& mesh = subject.mesh();
     const std::vector<std::uint32_t> words =
         moving_face_bits(mesh.triangles(), subject.positions(), point);
@@ -99,7 +99,7 @@ TEST_CASE("a wave moves every vertex as its formula says, and silhouettes follow
     const GpuSilhouettePass silhouettes(gpu->context());
     for (const char* name : {"spring", "terrain", "scene"}) {
         CAPTURE(name);
-        Subject subject(gpu->context(), make_built_in_shape(name, 8000), k_crease);
+        DeformingSubject subject(gpu->context(), make_built_in_shape(name, 8000), k_crease);
         const Mesh& mesh = subject.mesh();
         for (int frame = 0; frame < 12; ++frame) {
             CAPTURE(frame);
@@ -133,7 +133,7 @@ TEST_CASE("positions of the caller's are drawn as they are, frame after frame") 
     constexpr std::uint64_t k_seed = 401;
     CAPTURE(k_seed);
     tests::Random random(k_seed);
-    Subject subject(gpu->context(), make_built_in_shape("torus", 3000), k_crease);
+    DeformingSubject subject(gpu->context(), make_built_in_shape("torus", 3000), k_crease);
     std::vector<glm::vec3> positions(subject.mesh().positions().begin(),
                                      subject.mesh().positions().end());
     for (int frame = 0; frame < 10; ++frame) {
@@ -152,7 +152,7 @@ TEST_CASE("a mesh at rest is shaded as it is without deforming") {
     const GpuSilhouettePass silhouettes(gpu->context());
     for (const char* name : {"box", "knot", "scene"}) {
         CAPTURE(name);
-        Subject subject(gpu->context(), make_built_in_shape(name, 4000), k_crease);
+        DeformingSubject subject(gpu->context(), make_built_in_shape(name, 4000), k_crease);
         Wave still = default_wave(subject.mesh(), {0, 1, 0}, 0.3);
         still.amplitude = 0.0;
         subject.run(pass, silhouettes, still, HomogeneousPoint::viewpoint({3, 2, 1}));
@@ -169,7 +169,7 @@ TEST_CASE("normals follow the positions: smooth ones equal those of the deformed
     const GpuSilhouettePass silhouettes(gpu->context());
     const float all = std::numbers::pi_v<float>;
     const MeshSource source = make_built_in_shape("knot", 4000);
-    Subject subject(gpu->context(), source, all);
+    DeformingSubject subject(gpu->context(), source, all);
     subject.run(pass, silhouettes, default_wave(subject.mesh(), {0, 1, 0}, 0.2),
                 HomogeneousPoint::viewpoint({3, 2, 1}));
     REQUIRE(subject.mesh().vertex_count() == source.positions.size());
@@ -197,7 +197,7 @@ TEST_CASE("normals are of length 1 on degenerate, cancelling, tiny and huge face
     const MeshSource line{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}, {1, 1, 2}}};
     for (const MeshSource& source : {folded, line, scaled(tests::tetrahedron(), 0x1p-90f),
                                      scaled(tests::tetrahedron(), 0x1p58f), MeshSource{}}) {
-        Subject subject(gpu->context(), source, std::numbers::pi_v<float>);
+        DeformingSubject subject(gpu->context(), source, std::numbers::pi_v<float>);
         const HomogeneousPoint point = HomogeneousPoint::direction({0, 0, 1});
         subject.run(pass, silhouettes,
                     MovedPositions{subject.mesh().positions(), subject.mesh().center(),

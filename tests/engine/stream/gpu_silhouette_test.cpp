@@ -145,7 +145,8 @@ void check_walk(const DeviceContext& context, const GpuSilhouettePass& pass, con
     }
 }
 
-TEST_CASE("silhouettes and change sets made on the GPU equal the CPU's on every built-in shape") {
+TEST_CASE("silhouettes and change sets made on the GPU equal the CPU's on every built-in shape" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     const GpuSilhouettePass pass(gpu->context());
     for (const std::string_view name : k_built_in_shapes) {
@@ -165,7 +166,8 @@ TEST_CASE("they are equal on meshes of every generated kind, far, tiny, huge and
     }
 }
 
-TEST_CASE("dispatches cut into rows, and scans of many rounds, give the same") {
+TEST_CASE("dispatches cut into rows and scans of many rounds give the same" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_GPU(gpu);
     // More groups of 2048 edges than the 128 that the scan sums in a round.
     const Mesh mesh(make_built_in_shape("terrain", 600'000));

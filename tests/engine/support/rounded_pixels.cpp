@@ -73,7 +73,7 @@ private:
 // beside it.
 bool is_behind_edge(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b,
                     const Light& light) {
-    constexpr double k_margin = 1e-3;
+    constexpr double k_side_margin = 1e-3;
     // point - base = s * first + t * second
     const glm::dvec3 base = light.directional ? a : light.vector;
     const glm::dvec3 first = light.directional ? b - a : a - base;
@@ -81,8 +81,9 @@ bool is_behind_edge(const glm::dvec3& point, const glm::dvec3& a, const glm::dve
     const glm::dvec3 normal = glm::cross(first, second);
     const double s = glm::dot(glm::cross(point - base, second), normal) / glm::dot(normal, normal);
     const double t = glm::dot(glm::cross(first, point - base), normal) / glm::dot(normal, normal);
-    if (light.directional) return s >= -k_margin && s <= 1.0 + k_margin && t >= -k_margin;
-    return s >= -k_margin && t >= -k_margin && s + t >= 1.0 - k_margin;
+    if (light.directional)
+        return s >= -k_side_margin && s <= 1.0 + k_side_margin && t >= -k_side_margin;
+    return s >= -k_side_margin && t >= -k_side_margin && s + t >= 1.0 - k_side_margin;
 }
 
 // Whether both faces of an edge turn the same side to what lies in `direction` from it.

@@ -28,6 +28,23 @@ inline double linear_from_srgb(std::uint8_t channel) {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
+/// How dark a pixel of a gray picture is: 0 for white, 1 for black, in linear light.
+inline double ink_at(const Picture& picture, std::size_t pixel) {
+    return 1.0 - linear_from_srgb(picture.rgba[4 * pixel]);
+}
+
+inline double ink_at(const Picture& picture, std::size_t x, std::size_t y) {
+    return ink_at(picture, y * picture.width + x);
+}
+
+/// The ink of a whole picture, in pixels.
+inline double ink_of(const Picture& picture) {
+    double ink = 0.0;
+    for (std::size_t pixel = 0; pixel < picture.rgba.size() / 4; ++pixel)
+        ink += ink_at(picture, pixel);
+    return ink;
+}
+
 struct Mark {
     std::size_t pixel;
     glm::u8vec3 color;

@@ -18,6 +18,7 @@
 
 #include "silhouette/hough/hough_octree.h"
 #include "silhouette/mesh/brute_force.h"
+#include "tests/rounds.h"
 #include "tests/silhouette/exact/exact_edges.h"
 #include "tests/silhouette/exact/hard_classes.h"
 #include "tests/silhouette/hough/support/hostile_walk.h"
@@ -263,7 +264,7 @@ TEST_CASE(
             if (!image) continue;
             CAPTURE(name);
             HostilePoints points(mesh, random.bits());
-            for (int i = 0; i < 4; ++i) {
+            for (int i = 0; i < tests::rounds(4); ++i) {
                 const HomogeneousPoint point = points.next();
                 // Of a shift, only points of few digits have an image.
                 const double grid = power_of_two_above(named.source) / 64.0;
@@ -281,7 +282,7 @@ TEST_CASE(
         CAPTURE(name);
         MESSAGE(name, ": ", total.views, " views, ", total.changed_bits, " of ", total.bits,
                 " bits changed, ", total.equal_silhouettes, " silhouettes equal");
-        CHECK(total.views > 100);
+        CHECK(total.views > tests::rounds(100));
         CHECK(total.equal_silhouettes > total.views / 2);
     }
 }

@@ -99,7 +99,8 @@ std::vector<double> made_up_ratios(std::span<const glm::dvec3> points) {
     return ratios;
 }
 
-TEST_CASE("weighing lazily finds what weighing all finds with fewer weighed") {
+TEST_CASE("weighing lazily finds what weighing all finds with fewer weighed" *
+          doctest::test_suite("plain")) {
     for (const auto& [shape, steady] : {std::pair{"knot", false},
                                         {"torus", false},
                                         {"scene", false},

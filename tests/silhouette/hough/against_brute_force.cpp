@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/rounds.h"
 #include "tests/silhouette/hough/shadow_consumer.h"
 #include "tests/silhouette/hough/support/random_walk.h"
 
@@ -10,7 +11,7 @@ namespace rimline::tests {
 void check_extraction(const HoughOctree& octree, std::uint32_t points, std::uint64_t seed) {
     CAPTURE(seed);
     ProbePoints probes(octree.mesh(), seed);
-    for (std::uint32_t i = 0; i < points; ++i) {
+    for (std::uint32_t i = 0; i < rounds(points); ++i) {
         const HomogeneousPoint p = probes.next();
         CAPTURE(i);
         CAPTURE(p.x);
@@ -30,7 +31,7 @@ void check_walk(const HoughOctree& octree, std::uint32_t moves, std::uint64_t se
     SilhouetteTracker tracker(octree, walk.point());
     REQUIRE(sorted(tracker.silhouette()) == brute_force_silhouette(octree.mesh(), walk.point()));
     ShadowConsumer shadow(tracker);
-    for (std::uint32_t i = 0; i < moves; ++i) {
+    for (std::uint32_t i = 0; i < rounds(moves); ++i) {
         const HomogeneousPoint from = tracker.point();
         const HomogeneousPoint p = walk.next();
         CAPTURE(i);

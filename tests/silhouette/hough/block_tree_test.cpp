@@ -6,6 +6,7 @@
 #include <random>
 
 #include "silhouette/hough/block_kernels.h"
+#include "tests/rounds.h"
 #include "tests/silhouette/hough/support/hard_meshes.h"
 #include "tests/silhouette/hough/support/origin_lists.h"
 #include "tests/silhouette/hough/support/probe_points.h"
@@ -85,7 +86,7 @@ TEST_CASE("the bits of a box that is not mixed are those of its center, from eve
                 const Boxed boxes(mesh, origins[0], a_block);
                 if (boxes.planes.empty()) continue;
                 tests::ProbePoints probes(mesh, seed);
-                for (std::uint32_t i = 0; i < 50; ++i) {
+                for (std::uint32_t i = 0; i < tests::rounds(50u); ++i) {
                     const HomogeneousPoint p = probes.next();
                     BlockPoint point = boxes.space.seen_from(p);
                     whole.add(boxes, p, point);
@@ -96,8 +97,8 @@ TEST_CASE("the bits of a box that is not mixed are those of its center, from eve
             }
         }
     }
-    CHECK(whole.settled > 1000000);
-    CHECK(without_margin.wrong > 100);
+    CHECK(whole.settled > tests::rounds(1000000u));
+    CHECK(without_margin.wrong > tests::rounds(100u));
 }
 
 TEST_CASE("between two points, blocks that are neither mixed nor certain keep their bits") {
@@ -113,7 +114,7 @@ TEST_CASE("between two points, blocks that are neither mixed nor certain keep th
         if (boxes.planes.empty()) continue;
         BlockScratch scratch(boxes.tree.block_count());
         tests::ProbePoints probes(mesh, seed);
-        for (std::uint32_t i = 0; i < 200; ++i) {
+        for (std::uint32_t i = 0; i < tests::rounds(200u); ++i) {
             const HomogeneousPoint from = probes.next();
             const HomogeneousPoint to = probes.next();
             enum class Is : std::uint8_t { kept, mixed, flipped };
@@ -152,9 +153,9 @@ TEST_CASE("between two points, blocks that are neither mixed nor certain keep th
             }
         }
     }
-    CHECK(kept_count > 100000);
-    CHECK(flipped_count > 100000);
-    CHECK(wrong_without_margin > 100);
+    CHECK(kept_count > tests::rounds(100000u));
+    CHECK(flipped_count > tests::rounds(100000u));
+    CHECK(wrong_without_margin > tests::rounds(100u));
 }
 
 TEST_CASE("where floats say nothing of a box of all planes, nothing is certain from two points") {

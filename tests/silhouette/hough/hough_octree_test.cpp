@@ -10,6 +10,7 @@
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/face_bits.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
+#include "tests/rounds.h"
 #include "tests/silhouette/hough/against_brute_force.h"
 #include "tests/silhouette/hough/support/hard_meshes.h"
 #include "tests/silhouette/hough/support/origin_lists.h"
@@ -127,7 +128,7 @@ TEST_CASE("whenever a build is cancelled it says so, or is done") {
         const HoughOctree whole(mesh);
         build_time = std::min(build_time, Clock::now() - begun);
     }
-    constexpr int k_builds = 60;
+    constexpr int k_builds = tests::rounds(60);
     int cancelled = 0;
     for (int i = 0; i < k_builds; ++i) {
         std::stop_source source;

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "silhouette/hough/silhouette_tracker.h"
+#include "tests/rounds.h"
 #include "tests/silhouette/hough/against_brute_force.h"
 #include "tests/silhouette/hough/support/hard_meshes.h"
 #include "tests/silhouette/hough/support/instruction_sets.h"
@@ -43,7 +44,7 @@ Trace trace_of(const HoughOctree& octree) {
     tests::RandomWalk walk(octree.mesh(), 93);
     SilhouetteTracker tracker(octree, walk.point());
     std::vector<EdgeId> edges;
-    for (std::uint32_t i = 0; i < 100; ++i) {
+    for (std::uint32_t i = 0; i < tests::rounds(100u); ++i) {
         const ChangeSet& change = tracker.move_to(walk.next());
         note(change.counters);
         trace.edges.insert(trace.edges.end(), change.added.begin(), change.added.end());

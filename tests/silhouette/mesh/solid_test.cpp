@@ -60,7 +60,8 @@ bool crosses_itself(const Mesh& mesh) {
     return false;
 }
 
-TEST_CASE("built-in shapes that are closed are solids at any number of faces") {
+TEST_CASE("built-in shapes that are closed are solids at any number of faces" *
+          doctest::test_suite("plain")) {
     for (const std::string_view shape : {"sphere", "torus", "knot", "box", "spring"})
         for (const std::uint32_t faces : {0u, 100u, 3'000u, 40'000u}) {
             CAPTURE(shape);

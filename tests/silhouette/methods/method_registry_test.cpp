@@ -9,6 +9,7 @@
 #include "silhouette/error.h"
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
+#include "tests/rounds.h"
 #include "tests/silhouette/hough/support/hard_meshes.h"
 #include "tests/silhouette/hough/support/probe_points.h"
 #include "tests/silhouette/hough/support/random_walk.h"
@@ -78,7 +79,7 @@ TEST_CASE("every exact method extracts what brute force does, on every kind of m
         const Mesh mesh(source);
         for_each_exact_method(mesh, {}, [&](const auto& info, SilhouetteMethod& method) {
             tests::ProbePoints probes(mesh, seed);
-            for (std::uint32_t i = 0; i < 200; ++i)
+            for (std::uint32_t i = 0; i < tests::rounds(200u); ++i)
                 check_call(method, &SilhouetteMethod::extract, mesh,
                            as_taken_by(info, probes.next()));
         });
@@ -93,7 +94,7 @@ TEST_CASE("every exact method follows a point as brute force finds it, on every 
         const Mesh mesh(source);
         for_each_exact_method(mesh, {}, [&](const auto& info, SilhouetteMethod& method) {
             tests::RandomWalk walk(mesh, seed);
-            for (std::uint32_t i = 0; i < 200; ++i)
+            for (std::uint32_t i = 0; i < tests::rounds(200u); ++i)
                 check_call(method, &SilhouetteMethod::update, mesh, as_taken_by(info, walk.next()));
         });
     }
@@ -116,7 +117,7 @@ TEST_CASE("every exact method is right from other origins and with calls of both
             options.origins = {origin};
             for_each_exact_method(mesh, options, [&](const auto& info, SilhouetteMethod& method) {
                 tests::RandomWalk walk(mesh, seed);
-                for (std::uint32_t i = 0; i < 40; ++i)
+                for (std::uint32_t i = 0; i < tests::rounds(40u); ++i)
                     check_call(method,
                                i % 3 == 0 ? &SilhouetteMethod::extract : &SilhouetteMethod::update,
                                mesh, as_taken_by(info, walk.next()));
@@ -135,7 +136,8 @@ TEST_CASE("the Gauss map refuses viewpoints") {
     CHECK_THROWS_AS(gauss->update(viewpoint, edges, counters), Error);
 }
 
-TEST_CASE("a tree tests a small part of a large mesh, and counts it") {
+TEST_CASE("a tree tests a small part of a large mesh and counts it" *
+          doctest::test_suite("plain")) {
     const Mesh mesh(make_built_in_shape("torus", 60000));
     REQUIRE(mesh.face_count() > 40000);
     for (const std::string name :

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <stop_token>
 
+#include "tests/rounds.h"
 #include "tests/silhouette/points/sample_clouds.h"
 #include "tests/silhouette/points/soundness.h"
 
@@ -195,7 +196,7 @@ std::vector<glm::dvec3> make_odd_points(Random& random) {
 
 TEST_CASE("of whatever points, a surface is sound") {
     Random random(5);
-    for (int n = 0; n < 1500; ++n) {
+    for (int n = 0; n < tests::rounds(1500); ++n) {
         CAPTURE(n);
         PointSurfaceOptions options;
         if (n % 4 == 0) options.method = Method::thesis;

@@ -156,19 +156,18 @@ def test_a_saved_scene_draws_the_same_picture_in_every_style():
                  ["--lighting", "three-point"], ["--style", "toon", "--lighting", "three-point", "--sun", "1,2,3", "--ground"],
                  ["--ortho", "8.3", "--crease", "40.5", "--line-width", "3.3", "--line-color", "navy", "--materials", "off",
                   "--intersections", "off", "--min-length", "2.5", "--shadows", "fail", "--color", "#abc"])
-        for options in cases:
+        for i, options in enumerate(cases):
             draw(output, *models, *SIZE, *options, "--save-scene", scene)
             # The size is in the file.
-            said = draw(other, scene)
+            again = os.path.join(folder, "again.json")
+            said = draw(other, scene, "--save-scene", again)
             assert read_file(output) == read_file(other), options
             assert said["model"] == scene and len(said["models"]) == 2
-            before = read_file(scene)
-            again = os.path.join(folder, "again.json")
-            draw(other, scene, "--save-scene", again)
-            assert read_file(again) == before, options
-            told = run("render", scene, "-o", output)
-            drawn_again(told.stdout, "  again       ", other)
-            assert read_file(output) == read_file(other), options
+            assert read_file(again) == read_file(scene), options
+            if i % 4 == 1:
+                told = run("render", scene, "-o", output)
+                drawn_again(told.stdout, "  again       ", other)
+                assert read_file(output) == read_file(other), options
 
 
 def test_every_option_of_the_look_of_a_picture_has_a_key():

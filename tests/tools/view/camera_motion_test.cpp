@@ -13,7 +13,7 @@ using namespace rimline::tools;
 
 namespace {
 
-constexpr glm::dvec2 k_size(1000.0, 700.0);
+constexpr glm::dvec2 k_camera_motion_size(1000.0, 700.0);
 
 Camera some_camera() {
     return {.eye = {1.0, 2.0, 6.0}, .target = {0.5, 0.2, -0.3}, .up = {0, 1, 0}, .fov_y_deg = 35.0};
@@ -78,9 +78,9 @@ TEST_CASE("panning carries what lies at the target's distance along with the mou
         Camera camera = some_camera();
         camera.ortho_height = ortho_height;
         const glm::dvec3 seen = camera.target;
-        const glm::dvec2 from = *ScreenView(camera, k_size).pixel_of(seen);
-        pan(camera, glm::dvec2(120.0, -45.0) / k_size.y);
-        const glm::dvec2 to = *ScreenView(camera, k_size).pixel_of(seen);
+        const glm::dvec2 from = *ScreenView(camera, k_camera_motion_size).pixel_of(seen);
+        pan(camera, glm::dvec2(120.0, -45.0) / k_camera_motion_size.y);
+        const glm::dvec2 to = *ScreenView(camera, k_camera_motion_size).pixel_of(seen);
         CHECK(to.x - from.x == doctest::Approx(120.0));
         CHECK(to.y - from.y == doctest::Approx(45.0));  // Pixels count downwards.
     }
@@ -138,9 +138,11 @@ TEST_CASE("looking around keeps the eye and to the right is to the right on the 
     turn_view(camera, {0.1, 0.0});
     CHECK(near(camera.eye, before.eye));
     // What was in the middle is left of it now.
-    CHECK(ScreenView(camera, k_size).pixel_of(before.target)->x < 0.5 * k_size.x);
+    CHECK(ScreenView(camera, k_camera_motion_size).pixel_of(before.target)->x <
+          0.5 * k_camera_motion_size.x);
     turn_view(camera, {0.0, 0.1});
-    CHECK(ScreenView(camera, k_size).pixel_of(before.target)->y > 0.5 * k_size.y);
+    CHECK(ScreenView(camera, k_camera_motion_size).pixel_of(before.target)->y >
+          0.5 * k_camera_motion_size.y);
 }
 
 TEST_CASE("flying moves eye and target alike: right, up, and ahead") {
@@ -156,5 +158,6 @@ TEST_CASE("flying moves eye and target alike: right, up, and ahead") {
     camera = before;
     fly(camera, {1.0, 0.0, 0.0});
     CHECK(glm::dot(camera.eye - before.eye, ahead) == doctest::Approx(0.0));
-    CHECK(ScreenView(camera, k_size).pixel_of(before.target)->x < 0.5 * k_size.x);
+    CHECK(ScreenView(camera, k_camera_motion_size).pixel_of(before.target)->x <
+          0.5 * k_camera_motion_size.x);
 }

@@ -10,7 +10,7 @@ using namespace rimline::tools;
 
 namespace {
 
-constexpr glm::dvec2 k_size(900.0, 600.0);
+constexpr glm::dvec2 k_light_handles_size(900.0, 600.0);
 const SceneBounds k_model{.center = {0.3, -0.2, 0.1}, .radius = 1.7};
 
 Camera some_camera(double ortho_height) {
@@ -29,7 +29,7 @@ TEST_CASE("a light that is dragged is seen under the mouse") {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
     for (const double ortho_height : {0.0, 6.0}) {
-        const ScreenView view(some_camera(ortho_height), k_size);
+        const ScreenView view(some_camera(ortho_height), k_light_handles_size);
         const glm::dvec2 middle = *view.pixel_of(k_model.center);
         for (int i = 0; i < 200; ++i) {
             Light light{.vector = {unit(random), unit(random), unit(random)},
@@ -46,7 +46,7 @@ TEST_CASE("a light that is dragged is seen under the mouse") {
 }
 
 TEST_CASE("a sun that is dragged stays on its side of the model, and a lamp at its distance") {
-    const ScreenView view(some_camera(0.0), k_size);
+    const ScreenView view(some_camera(0.0), k_light_handles_size);
     const glm::dvec3 ahead = view.view_direction();
     const glm::dvec2 middle = *view.pixel_of(k_model.center);
     for (const double side : {-1.0, 1.0}) {
@@ -62,7 +62,7 @@ TEST_CASE("a sun that is dragged stays on its side of the model, and a lamp at i
 }
 
 TEST_CASE("beyond its sphere a sun goes to the outline, towards the mouse") {
-    const ScreenView view(some_camera(6.0), k_size);
+    const ScreenView view(some_camera(6.0), k_light_handles_size);
     const glm::dvec2 middle = *view.pixel_of(k_model.center);
     Light sun{.vector = {0, 0, 1}, .directional = true};
     drag_light(sun, k_model, view, middle + glm::dvec2(440, 0));
@@ -73,7 +73,7 @@ TEST_CASE("beyond its sphere a sun goes to the outline, towards the mouse") {
 }
 
 TEST_CASE("the wheel pushes lamps along the line of sight and suns through the model") {
-    const ScreenView view(some_camera(0.0), k_size);
+    const ScreenView view(some_camera(0.0), k_light_handles_size);
     Light lamp{.vector = {1, 1, 1}, .directional = false};
     const glm::dvec2 at = *view.pixel_of(lamp.vector);
     const double before = glm::distance(lamp.vector, view.camera().eye);

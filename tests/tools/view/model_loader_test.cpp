@@ -23,8 +23,6 @@ ModelLoader::Result wait_for(ModelLoader& loader) {
 
 }  // namespace
 
-TEST_SUITE_BEGIN("threads");
-
 TEST_CASE("a model is opened beside its window and wakes it when it is there") {
     std::atomic<int> wakes{0};
     ModelLoader loader([&] { ++wakes; });
@@ -145,8 +143,6 @@ TEST_CASE("opening another model drops the one before and cancelling drops all")
     CHECK_FALSE(loader.take());
     CHECK_FALSE(loader.stage());
 }
-
-TEST_SUITE_END();
 
 TEST_CASE("cancelling does not wait for the load" * doctest::test_suite("plain")) {
     ModelLoader loader;

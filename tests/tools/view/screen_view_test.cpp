@@ -11,15 +11,16 @@ using namespace rimline::tools;
 
 namespace {
 
-constexpr glm::dvec2 k_size(800.0, 500.0);
+constexpr glm::dvec2 k_screen_view_size(800.0, 500.0);
 
 // As the engine projects: its own axes and projection, then the viewport.
 glm::dvec2 pixel_by_engine(const Camera& camera, const glm::dvec3& world) {
     const glm::dvec3 eye = camera_from_world(camera) * (world - camera.eye);
-    const Projection p = make_projection(camera, k_size.x / k_size.y, glm::dvec3(0.0), 10.0);
+    const Projection p =
+        make_projection(camera, k_screen_view_size.x / k_screen_view_size.y, glm::dvec3(0.0), 10.0);
     const double w = p.w[0] * eye.z + p.w[1];
     const glm::dvec2 ndc = p.scale * glm::dvec2(eye) / w;
-    return (0.5 * ndc + 0.5) * k_size;
+    return (0.5 * ndc + 0.5) * k_screen_view_size;
 }
 
 }  // namespace
@@ -35,7 +36,7 @@ TEST_CASE("pixels are where the engine draws, and rays go back through them") {
                             .up = {0, 1, 0},
                             .fov_y_deg = 50.0,
                             .ortho_height = ortho_height};
-        const ScreenView view(camera, k_size);
+        const ScreenView view(camera, k_screen_view_size);
         for (int i = 0; i < 200; ++i) {
             const glm::dvec3 world(place(random), place(random), place(random));
             const auto pixel = view.pixel_of(world);
@@ -51,7 +52,7 @@ TEST_CASE("pixels are where the engine draws, and rays go back through them") {
 }
 
 TEST_CASE("what is not in front of a perspective eye is at no pixel") {
-    const ScreenView view({.eye = {0, 0, 5}, .target = {0, 0, 0}}, k_size);
+    const ScreenView view({.eye = {0, 0, 5}, .target = {0, 0, 0}}, k_screen_view_size);
     CHECK_FALSE(view.pixel_of({0, 0, 6}));
     CHECK_FALSE(view.pixel_of({1, 0, 5}));
     CHECK_FALSE(view.pixel_of({0, 0, 5}));

@@ -5,6 +5,7 @@
 #include <random>
 #include <sstream>
 
+#include "tests/rounds.h"
 #include "tests/silhouette/mesh/formats/sample_files.h"
 
 using namespace rimline;
@@ -144,7 +145,7 @@ TEST_CASE("Random damage gives an error or a sound model, never a crash") {
     const std::string_view telling = "0123456789-+.eE \n\r\t/\\#{}[],:\"naif\0\xff\x7f\x80";
     int refused = 0;
     for (const SampleFile& sample : sample_files()) {
-        for (int round = 0; round < 2000; ++round) {
+        for (int round = 0; round < tests::rounds(2000); ++round) {
             std::string bytes = sample.bytes;
             for (std::size_t changes = 1 + below(3); changes > 0 && !bytes.empty(); --changes) {
                 const std::size_t at = below(bytes.size());
@@ -161,7 +162,7 @@ TEST_CASE("Random damage gives an error or a sound model, never a crash") {
             refused += !outcome(folder.write(sample.name, bytes));
         }
     }
-    CHECK(refused > 6000);
+    CHECK(refused > tests::rounds(6000));
 }
 
 TEST_CASE("Every byte set to telling values in turn is survived") {

@@ -3,6 +3,7 @@
 #include <limits>
 #include <random>
 
+#include "tests/rounds.h"
 #include "tests/silhouette/mesh/formats/sample_files.h"
 
 using namespace rimline;
@@ -400,7 +401,7 @@ TEST_CASE("Random damage to clouds gives an error or sound points, never a crash
     int refused = 0;
     int taken = 0;
     for (const SampleFile& sample : sample_clouds()) {
-        for (int round = 0; round < 600; ++round) {
+        for (int round = 0; round < tests::rounds(600); ++round) {
             std::string bytes = sample.bytes;
             for (std::size_t changes = 1 + below(3); changes > 0; --changes) {
                 const std::size_t at = below(bytes.size());
@@ -426,8 +427,8 @@ TEST_CASE("Random damage to clouds gives an error or sound points, never a crash
             }
         }
     }
-    CHECK(refused > 1500);
-    CHECK(taken > 800);
+    CHECK(refused > tests::rounds(1500));
+    CHECK(taken > tests::rounds(800));
 }
 
 TEST_CASE("Reading points reports progress that never falls and can be stopped") {

@@ -30,7 +30,8 @@ std::uint64_t fingerprint(const MeshSource& source) {
 
 }  // namespace
 
-TEST_CASE("closed shapes are closed, oriented outwards, two-manifold and of the right genus") {
+TEST_CASE("closed shapes are closed oriented outwards two-manifold and of the right genus" *
+          doctest::test_suite("plain")) {
     for (const std::string_view name : k_closed_shapes)
         for (const std::uint32_t faces : k_face_counts) {
             CAPTURE(name);

@@ -10,6 +10,7 @@
 
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/methods/literal/literal_counters.h"
+#include "tests/rounds.h"
 #include "tests/silhouette/hough/support/probe_points.h"
 
 namespace rimline::tests {
@@ -21,7 +22,7 @@ void check_literal_extraction(const Mesh& mesh, const Extractor& extractor, std:
     CAPTURE(seed);
     ProbePoints probes(mesh, seed);
     std::vector<EdgeId> edges{k_no_edge};  // extract() must replace it.
-    for (std::uint32_t i = 0; i < points; ++i) {
+    for (std::uint32_t i = 0; i < rounds(points); ++i) {
         const HomogeneousPoint p = probes.next();
         CAPTURE(i);
         CAPTURE(p.x);

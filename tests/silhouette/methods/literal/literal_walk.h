@@ -10,6 +10,7 @@
 
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/methods/literal/literal_tracker.h"
+#include "tests/rounds.h"
 #include "tests/silhouette/hough/support/random_walk.h"
 
 namespace rimline::tests {
@@ -30,7 +31,7 @@ inline void check_literal_walk(const LiteralOctree& octree, const LiteralTracker
     RandomWalk walk(octree.mesh(), seed);
     LiteralTracker tracker(octree, walk.point(), options);
     check_literal_state(tracker, octree.mesh());
-    for (std::uint32_t i = 0; i < moves; ++i) {
+    for (std::uint32_t i = 0; i < rounds(moves); ++i) {
         const HomogeneousPoint p = walk.next();
         CAPTURE(i);
         CAPTURE(p.x);
