@@ -89,6 +89,7 @@ glm::dvec3 CameraPath::offset(const Leg& leg, double t) const noexcept {
 }
 
 glm::dvec3 CameraPath::position(double share) const noexcept {
+    RIMLINE_CHECK(std::isfinite(share));
     const double wanted = (share - std::floor(share)) * length();
     const auto after = std::upper_bound(lengths_.begin() + 1, lengths_.end() - 1, wanted);
     const std::size_t step = static_cast<std::size_t>(after - lengths_.begin()) - 1;

@@ -38,7 +38,8 @@ public:
     /// the last and the first, must be within the two limits (RIMLINE_CHECK). O(nodes).
     CameraPath(const glm::dvec3& center, std::span<const glm::dvec3> nodes);
 
-    /// The position at this share of the length. Periodic: 0 and 1 are the first node. O(log nodes).
+    /// The position at this share of the length, which must be finite (RIMLINE_CHECK). Periodic: 0 and 1 are the first
+    /// node. O(log nodes).
     glm::dvec3 position(double share) const noexcept;
     /// The share of the length at a node, in [0, 1).
     double share_of_node(std::size_t node) const noexcept;

@@ -14,7 +14,7 @@ void CloudArgument::add_to(CLI::App& app) {
     app.add_option_function<std::string>(
            "CLOUD",
            [this](const std::string& text) {
-               check_model_name(text);
+               check_model_name(text, "CLOUD");
                model = text;
            },
            "File of points (PLY, OBJ, XYZ, PTS), or - for standard input; with --as-points, any "

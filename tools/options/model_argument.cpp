@@ -46,16 +46,16 @@ struct ShapeName {
 };
 
 // Nothing if `text` is a file name.
-std::optional<ShapeName> parse_shape(std::string_view text) {
+std::optional<ShapeName> parse_shape(std::string_view text, const char* argument = "MODEL") {
     if (!text.starts_with(k_shape_prefix)) return std::nullopt;
     const std::string_view rest = text.substr(k_shape_prefix.size());
     const std::size_t colon = rest.find(':');
     ShapeName shape{rest.substr(0, colon), 0};
     if (std::find(k_built_in_shapes.begin(), k_built_in_shapes.end(), shape.name) ==
         k_built_in_shapes.end())
-        throw CLI::ValidationError("MODEL", "no built-in shape is called '" +
-                                                std::string(shape.name) + "'; there are " +
-                                                shape_names() + nearest_shape(shape.name));
+        throw CLI::ValidationError(argument, "no built-in shape is called '" +
+                                                 std::string(shape.name) + "'; there are " +
+                                                 shape_names() + nearest_shape(shape.name));
     if (colon == std::string_view::npos) return shape;
     const std::string_view faces = rest.substr(colon + 1);
     const char* end = faces.data() + faces.size();
@@ -63,7 +63,7 @@ std::optional<ShapeName> parse_shape(std::string_view text) {
     if (parsed.ec != std::errc() || parsed.ptr != end || shape.faces < 1 ||
         shape.faces > k_max_shape_faces)
         throw CLI::ValidationError(
-            "MODEL", "expected a number of faces from 1 to 2^28 in '" + std::string(text) + "'");
+            argument, "expected a number of faces from 1 to 2^28 in '" + std::string(text) + "'");
     return shape;
 }
 
@@ -95,10 +95,10 @@ std::string model_description(StandardInput input) {
 
 bool is_built_in_shape(const std::string& model) { return model.starts_with(k_shape_prefix); }
 
-void check_model_name(const std::string& text) {
+void check_model_name(const std::string& text, const char* argument) {
     if (text.empty())
-        throw CLI::ValidationError("MODEL", "expected a file or shape:NAME[:FACES], not ''");
-    parse_shape(text);
+        throw CLI::ValidationError(argument, "expected a file or shape:NAME[:FACES], not ''");
+    parse_shape(text, argument);
 }
 
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,

@@ -26,7 +26,7 @@ bool is_built_in_shape(const std::string& model);
 
 /// Throws CLI::ValidationError if `text` is empty, or if it begins with "shape:" and names no built-in
 /// shape. Does not check whether a file exists.
-void check_model_name(const std::string& text);
+void check_model_name(const std::string& text, const char* argument = "MODEL");
 
 /// Whether the pictures of textures are read. Only drawing needs them.
 enum class TexturePictures { skip, read };

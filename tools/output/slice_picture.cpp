@@ -65,16 +65,19 @@ public:
             canvas_.fill(left, layout_.top + row, bar, 1,
                          viridis_color(1.0 - (row + 0.5) / layout_.side));
         canvas_.write(left, layout_.top - 12 * scale, slice_.unit, k_slice_ink, scale);
-        if (!(greatest > least)) return;
-        const double step = round_step(greatest - least, 6);
-        for (const double value : round_ticks(least, greatest, 6)) {
-            const double share = (value - least) / (greatest - least);
+        const auto mark = [&](double share, const std::string& text) {
             const int y =
                 layout_.top + static_cast<int>(std::lround((1.0 - share) * (layout_.side - scale)));
             canvas_.fill(left + bar, y, 3 * scale, scale, k_slice_ink);
-            canvas_.write(left + bar + 5 * scale, y - 3 * scale, short_number(value, step),
-                          k_slice_ink, scale);
+            canvas_.write(left + bar + 5 * scale, y - 3 * scale, text, k_slice_ink, scale);
+        };
+        if (!(greatest > least)) {
+            mark(0.0, short_number(least, std::abs(least) / 100.0));
+            return;
         }
+        const double step = round_step(greatest - least, 6);
+        for (const double value : round_ticks(least, greatest, 6))
+            mark((value - least) / (greatest - least), short_number(value, step));
     }
 
     void draw_axes() {

@@ -100,3 +100,16 @@ TEST_CASE("narrow plots leave out words that have no room") {
     CHECK_FALSE(has_words(250, title_end, title_end + 8));
     CHECK(has_words(250, title_end + 8, left + 250));
 }
+
+TEST_CASE("a field of one value has it beside the color that all points have") {
+    const Mesh mesh(make_built_in_shape("box", 12));
+    const SliceGrid grid(2, 0.0, 0.0, 2.0, 200);
+    const auto drawn = [&](double value) {
+        return draw_slice({mesh, unit_frame(mesh), grid, std::vector(grid.points().size(), value),
+                           "views, z = 0", "votes"})
+            .picture();
+    };
+    // Titles and units are above, axes left and below: only the number differs.
+    CHECK(drawn(1.25).rgba != drawn(2.25).rgba);
+    CHECK(drawn(1.25).rgba == drawn(1.25).rgba);
+}
