@@ -26,7 +26,7 @@ struct PictureLine {
 
 /// Points have the picture coordinates of Scene::camera, as LineView has them (silhouette/lines/line_view.h): x to
 /// the right and y upwards, the target at (0, 0); tangents of angles, or units of the world where the camera is
-/// orthographic.
+/// orthographic. They are finite, and less than 10^30 pixels away (RIMLINE_CHECK).
 struct PictureLines {
     std::vector<glm::dvec2> points;
     std::vector<PictureLine> lines;

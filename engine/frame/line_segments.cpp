@@ -33,6 +33,9 @@ DashPattern fitted_dashes(double length, bool is_closed, double period, double d
     return {begin, (periods * period + last) / length};
 }
 
+// Squares of lengths stay finite.
+constexpr double k_max_pixel = 1e30;
+
 class SegmentMaker {
 public:
     SegmentMaker(const gpu::FrameData& frame, std::vector<gpu::LineSegment>& segments)
@@ -43,8 +46,11 @@ public:
     void add(const PictureLines& lines, const PictureLine& line) {
         RIMLINE_CHECK(line.first_point < line.last_point && line.last_point <= lines.points.size());
         pixels_.clear();
-        for (std::uint32_t i = line.first_point; i < line.last_point; ++i)
-            pixels_.push_back(pixel_of(lines.points[i]));
+        for (std::uint32_t i = line.first_point; i < line.last_point; ++i) {
+            const glm::dvec2 pixel = pixel_of(lines.points[i]);
+            RIMLINE_CHECK(std::abs(pixel.x) < k_max_pixel && std::abs(pixel.y) < k_max_pixel);
+            pixels_.push_back(pixel);
+        }
         if (line.is_closed || pixels_.size() == 1) pixels_.push_back(pixels_.front());
         DashPattern pattern = solid(double{frame_.dash_period});
         if (line.is_hidden && frame_.dash_period > 0.0f)

@@ -217,14 +217,18 @@ void LineChains::split(bool is_closed, const LineOptions& options) {
             pieces_.push_back({i, i + 1, from.count, from.is_covered, length});
         }
     }
-    if (options.gap > 0.0 && !options.splits_counts) bridge(is_closed, options.gap);
+    if (options.gap > 0.0) bridge(is_closed, options.gap);
 }
 
-// A closed chain begins where a piece begins, if it has more than one.
+// A closed chain begins where visibility changes; else where a piece begins, if it has more than one.
 void LineChains::rotate_to_change(const LineOptions& options) {
-    if (points_.size() < 2) return;
+    if (points_.size() < 2 || rotate_to_change_of(false) || !options.splits_counts) return;
+    rotate_to_change_of(true);
+}
+
+bool LineChains::rotate_to_change_of(bool counts) {
     const auto state = [&](const ChainPoint& p) {
-        return std::pair(options.splits_counts ? p.count : std::int32_t(p.count > 0), p.is_covered);
+        return std::pair(counts ? p.count : std::int32_t(p.count > 0), p.is_covered);
     };
     // points_.back() is the end of the last line, at the place of the first point: it begins nothing.
     const std::size_t count = points_.size() - 1;
@@ -240,7 +244,7 @@ void LineChains::rotate_to_change(const LineOptions& options) {
         }
         last = state(points_[i]);
     }
-    if (start == 0) return;
+    if (start == 0) return false;
     const double total = points_.back().point.arc, first_arc = points_[start].point.arc;
     rotated_.clear();
     for (std::size_t i = start; i < points_.size(); ++i) rotated_.push_back(points_[i]);
@@ -250,31 +254,35 @@ void LineChains::rotate_to_change(const LineOptions& options) {
     }
     for (ChainPoint& p : rotated_) p.point.arc -= first_arc;
     points_.swap(rotated_);
+    return true;
 }
 
 // Only hidden pieces change. Short visible pieces between hidden ones may be the outline, where the chain goes to and
 // fro: each stretch of it is seen from one of them.
 void LineChains::bridge(bool is_closed, double gap) {
-    const auto is_bridged = [&](std::size_t i) {
-        const Piece& piece = pieces_[i];
-        const bool has_before = i > 0 || is_closed, has_after = i + 1 < pieces_.size() || is_closed;
-        if (piece.is_covered || piece.count == 0 || piece.length > gap || !has_before ||
-            !has_after || pieces_.size() < 2)
-            return false;
-        const Piece& before = pieces_[i > 0 ? i - 1 : pieces_.size() - 1];
-        const Piece& after = pieces_[i + 1 < pieces_.size() ? i + 1 : 0];
-        return !before.is_covered && !after.is_covered && before.count == 0 && after.count == 0;
-    };
-    for (std::size_t i = 0; i < pieces_.size(); ++i)
-        if (is_bridged(i)) pieces_[i].count = 0;
+    const auto is_hidden = [](const Piece& piece) { return !piece.is_covered && piece.count > 0; };
+    const auto is_seen = [](const Piece& piece) { return !piece.is_covered && piece.count == 0; };
+    const std::size_t count = pieces_.size();
+    for (std::size_t begin = 0, end = 0; begin < count; begin = std::max(end, begin + 1)) {
+        // Of several counts, if these are split.
+        double length = 0.0;
+        for (end = begin; end < count && is_hidden(pieces_[end]); ++end)
+            length += pieces_[end].length;
+        const bool has_before = begin > 0 || is_closed, has_after = end < count || is_closed;
+        if (end == begin || end - begin == count || length > gap || !has_before || !has_after)
+            continue;
+        if (!is_seen(pieces_[begin > 0 ? begin - 1 : count - 1]) ||
+            !is_seen(pieces_[end < count ? end : 0]))
+            continue;
+        for (std::size_t i = begin; i < end; ++i) pieces_[i].count = 0;
+    }
     std::size_t kept = 0;
     for (std::size_t i = 1; i < pieces_.size(); ++i) {
         Piece& last = pieces_[kept];
         const Piece& piece = pieces_[i];
-        if (last.is_covered == piece.is_covered && (last.count > 0) == (piece.count > 0)) {
+        if (last.is_covered == piece.is_covered && last.count == piece.count) {
             last.last = piece.last;
             last.length += piece.length;
-            last.count = std::min(last.count, piece.count);
         } else {
             pieces_[++kept] = piece;
         }

@@ -55,6 +55,8 @@ private:
     void move_to_contour(double tolerance, bool is_closed);
     void split(bool is_closed, const LineOptions& options);
     void rotate_to_change(const LineOptions& options);
+    // Of visibility, or of counts. False if there is none.
+    bool rotate_to_change_of(bool counts);
     void bridge(bool is_closed, double gap);
     void add_chain(LineKind kind, bool is_closed, const LineOptions& options, LineDrawing& drawing);
 

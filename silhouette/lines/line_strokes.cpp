@@ -11,6 +11,9 @@ namespace {
 constexpr std::uint32_t k_no_mate = 0xffffffffu;
 // Two ends go on into each other where their ways differ from straight on by less than 45 degrees.
 constexpr double k_max_cos_of_ends = -0.7071067811865476;
+// Where two ends touch and no third, the pen goes on around a corner of up to 100 degrees.
+constexpr double k_max_cos_of_corner = 0.17364817766693033;
+constexpr double k_touch = 1e-3;  // Of the gap.
 // Not back over itself: the gap leads forwards, by at least this cosine.
 constexpr double k_min_cos_of_gap = -0.3;
 
@@ -44,6 +47,20 @@ void LineStrokes::find_ends(double gap, const LineDrawing& drawing) {
     });
 }
 
+bool LineStrokes::is_corner(std::size_t i, std::size_t j, double gap) const {
+    const double touch = k_touch * gap;
+    const auto is_third = [&](std::size_t k) {
+        return k != i && k != j &&
+               glm::length(ends_[k].position - ends_[i].position) <= 2.0 * touch;
+    };
+    const double x = ends_[i].position.x;
+    for (std::size_t k = i; k > 0 && x - ends_[k - 1].position.x <= 2.0 * touch; --k)
+        if (is_third(k - 1)) return false;
+    for (std::size_t k = i + 1; k < ends_.size() && ends_[k].position.x - x <= 2.0 * touch; ++k)
+        if (is_third(k)) return false;
+    return true;
+}
+
 void LineStrokes::find_pairs(double gap, const LineDrawing& drawing) {
     pairs_.clear();
     for (std::size_t i = 0; i < ends_.size(); ++i)
@@ -57,7 +74,9 @@ void LineStrokes::find_pairs(double gap, const LineDrawing& drawing) {
                 (a.end / 2 == b.end / 2 && drawing.runs[a.end / 2].length < 4.0 * gap))
                 continue;
             const double cos = glm::dot(a.way, b.way);
-            if (cos > k_max_cos_of_ends) continue;
+            if (cos > k_max_cos_of_ends &&
+                !(cos <= k_max_cos_of_corner && distance <= k_touch * gap && is_corner(i, j, gap)))
+                continue;
             if (distance > 0.1 * gap && glm::dot(a.way, way) < k_min_cos_of_gap * distance)
                 continue;
             const double share = gap > 0.0 ? distance / gap : 0.0;

@@ -201,6 +201,10 @@ def test_a_mistyped_name_is_answered_with_the_one_that_was_meant():
             (["silhouette", box, "--from", "1,2,3", "--method", "octre"], "octree"),
             (["draw", box, "--lines", "silhouete", "-o", "a.svg"], "silhouette"), (["draw", box, "--hidden", "layr", "-o", "a.svg"], "layer")):
         assert f"; did you mean '{meant}'? (see " in fail(2, *arguments), (arguments, fail(2, *arguments))
+    for arguments, meant in ((["--eye", "frnt"], "front"), (["--line-color", "materal"], "material")):
+        assert f"; did you mean '{meant}'? (see " in fail(2, "draw", box, "-o", "a.svg", *arguments)
+    for option, names in (("--up", "x, y, z, -x, -y, -z, auto"), ("--eye", "auto, front, back, left")):
+        assert names in fail(2, "draw", box, "-o", "a.svg", option, "q")
     for arguments in (["frobnicate"], ["info", box, "--frobnicate"], ["info", box, "-x"], ["info", box, box]):
         assert "did you mean" not in fail(2, *arguments), arguments
     assert "not expected: --frobnicate (see" in fail(2, "info", box, "--frobnicate", "7")

@@ -61,27 +61,41 @@ private:
         return name.generic_string();
     }
 
+    // The same files by the same names whatever order the system lists them in: all folders before links to folders,
+    // which may lead to the same ones, and back.
     void add_folder(const std::string& folder) {
-        std::error_code unknown;
-        std::set<fs::path> entered{fs::weakly_canonical(folder, unknown)};
-        std::vector<fs::path> files;
-        std::error_code error;
-        fs::recursive_directory_iterator place(
-            folder, fs::directory_options::follow_directory_symlink, error);
-        for (; !error && place != fs::recursive_directory_iterator(); place.increment(error)) {
-            call_.checkpoint(0.0);
-            std::error_code unreadable;
-            // Links may lead back.
-            if (place->is_directory(unreadable) &&
-                !entered.insert(fs::weakly_canonical(place->path(), unreadable)).second)
-                place.disable_recursion_pending();
-            if (is_model_file(place->path()) && place->is_regular_file(unreadable))
-                files.push_back(place->path());
+        std::set<fs::path> entered;
+        std::vector<fs::path> files, folders{folder};
+        while (!folders.empty()) {
+            std::vector<fs::path> links;
+            for (const fs::path& start : folders) walk(start, entered, files, links);
+            std::ranges::sort(links);
+            folders = std::move(links);
         }
-        if (error) fail_reading(folder, error);
         std::ranges::sort(files);
         for (const fs::path& file : files)
             take(file.string(), file.lexically_relative(folder).generic_string());
+    }
+
+    // Finds the models below a folder, and the links to folders there, which are not followed.
+    void walk(const fs::path& folder, std::set<fs::path>& entered, std::vector<fs::path>& files,
+              std::vector<fs::path>& links) {
+        std::vector<fs::path> folders{folder};
+        while (!folders.empty()) {
+            const fs::path next = std::move(folders.back());
+            folders.pop_back();
+            std::error_code error, unreadable;
+            if (!entered.insert(fs::weakly_canonical(next, unreadable)).second) continue;
+            fs::directory_iterator entry(next, error);
+            for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+                call_.checkpoint(0.0);
+                if (entry->is_directory(unreadable))
+                    (entry->is_symlink(unreadable) ? links : folders).push_back(entry->path());
+                else if (is_model_file(entry->path()) && entry->is_regular_file(unreadable))
+                    files.push_back(entry->path());
+            }
+            if (error) fail_reading(next.string(), error);
+        }
     }
 
     void add_list(const std::string& name) {

@@ -123,7 +123,8 @@ BatchProcess::~BatchProcess() {
 
 std::optional<BatchEnd> BatchProcess::poll_end() {
     int status = 0;
-    if (waitpid(id_, &status, WNOHANG) == 0) {
+    const pid_t ended = waitpid(id_, &status, WNOHANG);
+    if (ended == 0) {
         const Clock::time_point now = Clock::now();
         if (is_over_time_) {
             if (now > kill_at_) kill(id_, SIGKILL);
@@ -142,6 +143,9 @@ std::optional<BatchEnd> BatchProcess::poll_end() {
     if (is_over_time_) {
         end.status = "timeout";
         end.error = "it took more than its time";
+    } else if (ended < 0) {
+        end.status = "failed";
+        end.error = "its end is not known";
     } else if (WIFSIGNALED(status)) {
         end.status = "crashed";
         end.error = std::string("ended by ") + strsignal(WTERMSIG(status)) +

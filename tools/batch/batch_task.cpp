@@ -52,6 +52,13 @@ std::string output_in(const std::string& word, const std::string& before) {
     return {};
 }
 
+// Printable, and different for different texts.
+std::string unambiguous_text(const std::string& text) {
+    std::string escaped;
+    for (const char c : text) escaped.append(c == '\\' ? 2 : 1, c);
+    return printable_text(escaped);
+}
+
 }  // namespace
 
 std::string unknown_batch_place(const std::string& text) {
@@ -67,7 +74,7 @@ std::string unknown_batch_place(const std::string& text) {
 BatchTask make_batch_task(const BatchInput& input, const std::vector<std::string>& subcommand,
                           const std::string& folder) {
     BatchTask task{.input = input,
-                   .key = printable_text(input.model),
+                   .key = unambiguous_text(input.model),
                    .arguments = {subcommand.front(), input.model},
                    .command = {},
                    .outputs = {}};
@@ -81,7 +88,7 @@ BatchTask make_batch_task(const BatchInput& input, const std::vector<std::string
         if (!output.empty()) task.outputs.push_back(std::move(output));
     }
     for (const std::string& word : task.arguments)
-        task.command += (task.command.empty() ? "" : " ") + printable_text(word);
+        task.command += (task.command.empty() ? "" : " ") + unambiguous_text(word);
     return task;
 }
 

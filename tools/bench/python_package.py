@@ -1,4 +1,4 @@
-"""Times the Python package beside numpy and VTK; checks first that all find the same edges.
+"""Times the Python package beside numpy and VTK; checks that what follows the eye finds the edges of all faces tested.
 
     PYTHONPATH=build/release/python python3 tools/bench/python_package.py [--json] [--check] [MODEL...]
 

@@ -9,7 +9,7 @@
 # is $RIMLINE, else `rimline` of the PATH. Logs are in the folder of -o. Slurm starts a task again
 #
 #   - when its node failed, or another job took its place;
-#   - when its time ended, if it did models in that time;
+#   - when its time ended, if it tried models in that time that were not tried before;
 #   - when models failed, up to $RIMLINE_RETRIES times (2). Only these models are tried again.
 #
 # The same command again submits only what is not in the queue.
@@ -79,14 +79,22 @@ submit() {
     echo "$array_id ${merge_id%%;*}"
 }
 
+# How far a manifest is: its successes, and its models. Trying failures again and again does not change it.
+progress_of() {
+    [ -f "$1" ] || return
+    grep -c '"status":"ok"' "$1"
+    grep -o '^{"input":"[^"]*"' "$1" | sort -u | wc -l
+}
+
 # A task of the array.
 run_shard() {
     local program=$1 folder=$2 shards=$3 retries=$4 threads=()
     [ -n "$5" ] || threads=(--threads "${SLURM_CPUS_PER_TASK:-1}")
     shift 5
     local shard=$SLURM_ARRAY_TASK_ID/$shards manifest=$folder/manifest.$SLURM_ARRAY_TASK_ID-of-$shards.jsonl
-    local size batch status is_stopped=
-    size=$(stat -c %s "$manifest" 2>/dev/null)
+    [ "$shards" -gt 1 ] || manifest=$folder/manifest.jsonl
+    local before batch status is_stopped=
+    before=$(progress_of "$manifest")
     trap 'is_stopped=1; kill -TERM "$batch"' TERM
     RIMLINE_BATCH_PROCESS=$$ "$program" batch --retry --wait --shard "$shard" "${threads[@]}" "$@" &
     batch=$!
@@ -97,7 +105,7 @@ run_shard() {
         status=$?
     done
     if [ -n "$is_stopped" ]; then
-        [ "$(stat -c %s "$manifest" 2>/dev/null)" = "$size" ] || run_again
+        [ "$(progress_of "$manifest")" = "$before" ] || run_again
     elif [ "$status" -eq 1 ] && [ "${SLURM_RESTART_COUNT:-0}" -lt "$retries" ]; then
         run_again
     fi
@@ -105,11 +113,12 @@ run_shard() {
 }
 
 # Slurm ends this script and puts the task back into the queue. A task that was canceled has another state and
-# stays so.
+# stays so. The last task's SLURM_JOB_ID is the whole array's.
 run_again() {
     trap - TERM
-    [ "$(squeue --noheader --jobs="$SLURM_JOB_ID" --format=%T)" = RUNNING ] || return
-    scontrol requeue "$SLURM_JOB_ID" && sleep 600
+    local task=${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID
+    [ "$(squeue --noheader --jobs="$task" --format=%T)" = RUNNING ] || return
+    scontrol requeue "$task" && sleep 600
 }
 
 case "${1:-}" in

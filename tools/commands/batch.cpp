@@ -279,17 +279,24 @@ private:
                  const Context& context) {
         Progress progress(context, "running " + rest_.front());
         const LongCall call = progress.call();
-        const std::uint32_t jobs = models_at_a_time();
+        std::size_t jobs = models_at_a_time();
         BatchLimits limits{.seconds = timeout_s_,
                            .memory_bytes = {},
-                           .threads = std::max(1u, allowed_threads() / jobs)};
+                           .threads = std::max(1u, allowed_threads() / models_at_a_time())};
         if (memory_mb_) limits.memory_bytes = std::uint64_t(*memory_mb_ * 1e6);
         std::vector<Running> running;
         std::size_t next = 0, done = 0;
         while (next < left.size() || !running.empty()) {
             call.checkpoint(double(done) / double(std::max<std::size_t>(left.size(), 1)));
-            while (running.size() < jobs && next < left.size())
-                start(*left[next++], limits, running, context);
+            while (running.size() < jobs && next < left.size()) {
+                try {
+                    start(*left[next], limits, running, context);
+                    ++next;
+                } catch (const Error& error) {
+                    if (error.code() != ErrorCode::io || running.empty()) throw;
+                    jobs = running.size();  // The system allows no more at a time.
+                }
+            }
             bool has_ended = false;
             for (std::size_t i = 0; i < running.size();) {
                 std::optional<BatchEnd> end = running[i].process->poll_end();
@@ -330,7 +337,9 @@ private:
             make_folder(fs::absolute(output).parent_path());
         std::vector<std::string> arguments = task.arguments;
         arguments.emplace_back("--json");
-        if (std::ranges::find(arguments, "--threads") == arguments.end())
+        if (std::ranges::none_of(arguments, [](const std::string& word) {
+                return word == "--threads" || word.starts_with("--threads=");
+            }))
             arguments.insert(arguments.end(), {"--threads", std::to_string(limits.threads)});
         running.push_back({&task, digest, std::make_unique<BatchProcess>(arguments, limits)});
     }

@@ -137,6 +137,8 @@ public:
 
     ExitStatus run(const Context& context) override {
         check_options();
+        // Half of a line lies outside of what it encloses.
+        page_.margin_mm = std::max(page_.margin_mm, 0.5 * lines_.width_mm);
         const double aspect = page_.aspect();  // Reports margins without space before the work.
         check_output(context, output_);
         if (as_option_->count() > 0 && output_ != k_standard_output)
@@ -183,6 +185,9 @@ public:
         context.checkpoint();
         file.commit();
         context.times.end("writing");
+        if (totals.strokes == 0 &&
+            (!lines_.draws_hidden() || DrawnTotals::sum(totals.hidden) == 0.0))
+            print_warning(model_.model + ": the drawing is empty: no line of these kinds is in it");
         if (context.json)
             print_result(context, mesh, cameras, page, totals);
         else

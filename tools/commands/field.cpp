@@ -177,9 +177,9 @@ private:
         const SliceGrid grid(slice_->axis, slice_->value, function.min_radius, function.max_radius,
                              static_cast<int>(resolution_));
         if (grid.points().empty())
-            throw Error(ErrorCode::bad_input,
-                        "--slice: that plane does not meet the function's domain, which ends " +
-                            short_number(function.max_radius, 0.1) + " radii from the center");
+            throw UsageError(
+                "--slice: that plane does not meet the function's domain, which ends " +
+                short_number(function.max_radius, 0.1) + " radii from the center");
         std::vector<double> values(grid.points().size());
         {
             Progress progress(context, "summing votes");

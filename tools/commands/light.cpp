@@ -30,6 +30,7 @@ public:
     }
 
     void add_options(CLI::App& app) override {
+        app_ = &app;
         model_.add_to(app);
         add_point(app, "--eye", eye_, "Position of the viewer")->required()->group("Camera");
         add_up_or_auto(app, up_, is_up_auto_)->group("Camera");
@@ -53,6 +54,8 @@ public:
     }
 
     ExitStatus run(const Context& context) override {
+        if (by_votes_)
+            refuse_options(*app_, {"--up"}, "votes do not depend on it; leave out --by-votes");
         const Mesh mesh = model_.load_mesh(context);
         context.checkpoint();
         if (by_votes_)
@@ -162,6 +165,7 @@ private:
     }
 
     ModelArgument model_;
+    const CLI::App* app_ = nullptr;
     std::optional<glm::vec3> eye_, up_;
     bool is_up_auto_ = false;
     bool by_votes_ = false;

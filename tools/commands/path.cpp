@@ -80,6 +80,8 @@ public:
         else
             refuse_options(*app_, {"Style", "Light", "Image", "--fps"},
                            "there are no pictures; give -o FOLDER");
+        if (choice_.no_ratio && !sink)
+            refuse_options(*app_, {"--device", "--validate"}, "nothing is drawn; give -o FOLDER");
         const Mesh mesh =
             model_.load_drawn_mesh(context, sink ? style_.textures() : TexturePictures::skip);
         context.checkpoint();

@@ -56,7 +56,8 @@ void LinePage::add_to(CLI::App& app) {
         ->type_name("WxH|fit")
         ->default_str("210x297")
         ->group(k_group);
-    add_number(app, "--margin", margin_mm, 0.0, 1000.0, "Empty border of the page in mm")
+    add_number(app, "--margin", margin_mm, 0.0, 1000.0,
+               "Empty border of the page in mm, at least half of a line's width")
         ->group(k_group);
     app.add_option_function<std::string>(
            "--scale", [this](const std::string& text) { parse_page_scale(text, *this); },

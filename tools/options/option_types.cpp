@@ -6,12 +6,15 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <system_error>
+#include <vector>
 
 #include "silhouette/mesh/homogeneous_point.h"
 #include "tools/command.h"
+#include "tools/nearest_name.h"
 
 namespace rimline::tools {
 
@@ -41,9 +44,9 @@ std::optional<Number> parse_number(std::string_view text) {
 }
 
 [[noreturn]] void reject(const std::string& option, const std::string& expected,
-                         std::string_view text) {
-    throw CLI::ValidationError(option,
-                               "expected " + expected + ", not '" + std::string(text) + "'");
+                         std::string_view text, const std::string& advice = {}) {
+    throw CLI::ValidationError(
+        option, "expected " + expected + ", not '" + std::string(text) + "'" + advice);
 }
 
 std::string plain(double value) {
@@ -200,10 +203,11 @@ CLI::Option* add_directions_or_auto(CLI::App& app, const std::string& name,
                                     const std::string& description) {
     return add_repeatable(app, name, "X,Y,Z|auto", description,
                           [name, &values, &is_auto](const std::string& text) {
-                              if (text == "auto")
-                                  is_auto = true;
-                              else
-                                  values.push_back(parse_direction(name, text));
+                              is_auto = is_auto || text == "auto";
+                              if (text == "auto") return;
+                              if (text.find(',') == std::string::npos)
+                                  reject(name, "three numbers x,y,z or auto", text);
+                              values.push_back(parse_direction(name, text));
                           });
 }
 
@@ -275,7 +279,12 @@ CLI::Option* add_color_or(CLI::App& app, const std::string& name, std::optional<
     return add_text(app, name, "COLOR|" + word, description + ". Color: " + k_color_forms,
                     [name, word, &value, &is_word](const std::string& text) {
                         is_word = text == word;
-                        if (!is_word) value = parse_color(name, text, false);
+                        if (is_word) return;
+                        const std::string nearest = did_you_mean(text, std::vector{word});
+                        if (!nearest.empty() && !color_of(text))
+                            reject(name, std::string(k_color_forms) + ", or " + word, text,
+                                   nearest);
+                        value = parse_color(name, text, false);
                     });
 }
 
@@ -301,6 +310,10 @@ void refuse_options(const CLI::App& app, std::initializer_list<std::string_view>
     };
     for (const CLI::Option* option : app.get_options()) {
         const std::string name = option->get_name();
+        // What the environment says is for the commands that take it.
+        const std::string variable = option->get_envname();
+        const char* const set = variable.empty() ? nullptr : std::getenv(variable.c_str());
+        if (set != nullptr && option->results() == std::vector<std::string>{set}) continue;
         if (option->count() > 0 && name != "--seed" &&
             (is_named(name) || is_named(option->get_group())))
             throw UsageError(name + ": " + why);

@@ -19,6 +19,10 @@ constexpr std::array<std::string_view, 6> k_axis_names{"x", "-x", "y", "-y", "z"
 glm::vec3 parse_up(const std::string& option, const std::string& text) {
     for (std::size_t i = 0; i < k_axis_names.size(); ++i)
         if (text == k_axis_names[i]) return glm::vec3(k_axis_directions[i]);
+    if (text.find(',') == std::string::npos)
+        throw CLI::ValidationError(
+            option, "expected three numbers x,y,z or one of x, y, z, -x, -y, -z" +
+                        std::string(option == "--up" ? ", auto" : "") + ", not '" + text + "'");
     return parse_direction(option, text);
 }
 

@@ -7,10 +7,12 @@
 #include <glm/vec2.hpp>
 #include <numbers>
 #include <string_view>
+#include <vector>
 
 #include "silhouette/field/picture_view.h"
 #include "silhouette/hough/orbit.h"
 #include "silhouette/mesh/ground_axes.h"
+#include "tools/nearest_name.h"
 #include "tools/options/default_view.h"
 #include "tools/options/option_types.h"
 
@@ -37,6 +39,15 @@ glm::dvec3 direction_of_view(NamedView view, const glm::dvec3& up) {
     return three_quarter_direction(up);
 }
 
+[[noreturn]] void reject_view(const std::string& text) {
+    const std::vector<std::string> names(k_view_names.begin(), k_view_names.end());
+    std::string listed;
+    for (const std::string& name : names) listed += ", " + name;
+    throw CLI::ValidationError("--eye", "expected three numbers x,y,z or one of" +
+                                            listed.substr(1) + ", not '" + text + "'" +
+                                            did_you_mean(text, names));
+}
+
 }  // namespace
 
 void ViewOption::add_to(CLI::App& app, std::optional<glm::vec3>& eye) {
@@ -50,6 +61,7 @@ void ViewOption::add_to(CLI::App& app, std::optional<glm::vec3>& eye) {
                            name = static_cast<NamedView>(i);
                            return;
                        }
+                   if (text.find(',') == std::string::npos) reject_view(text);
                    eye = parse_point("--eye", text);
                },
                "Position of the camera; or a view of the whole model: front, back, left, right, "

@@ -26,6 +26,11 @@ OutputFolder::OutputFolder(fs::path path, const char* what) : path_(std::move(pa
         throw Error(ErrorCode::io, path_.string() + ": cannot write " + what + ": " + why);
     };
     std::error_code error;
+    fs::path folder = path_.lexically_normal();
+    if (!folder.has_filename()) folder = folder.parent_path();
+    const fs::path parent = folder.parent_path();
+    if (!parent.empty() && !fs::exists(parent, error))
+        fail("there is no folder " + parent.string() + "; create it first");
     own_.make(path_, [&](const fs::path& folder) {
         return fs::create_directory(folder, error) ? 0
                : error.value() != 0                ? error.value()

@@ -219,9 +219,10 @@ void run(const char* picture_path) {
     }
     if (picture_path != nullptr) {
         const std::vector<std::byte> png = encode_png(picture_of(pixels.content()));
-        std::ofstream(picture_path, std::ios::binary)
-            .write(reinterpret_cast<const char*>(png.data()),
-                   static_cast<std::streamsize>(png.size()));
+        std::ofstream file(picture_path, std::ios::binary);
+        file.write(reinterpret_cast<const char*>(png.data()), std::streamsize(png.size()));
+        file.close();
+        if (!file) throw Error(ErrorCode::io, std::string(picture_path) + ": cannot write");
     }
 }
 

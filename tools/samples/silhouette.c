@@ -23,11 +23,12 @@ int main(int argc, char** argv) {
     rimline_mesh_info info = {sizeof info};
     rimline_tracker* tracker;
     rimline_changes changes = {sizeof changes};
-    rimline_point eye = {0.0, 1.0, 0.0, 0};
+    rimline_point eye = {0.0, 0.0, 0.0, 0};
     rimline_drawer* drawer;
     rimline_drawing* drawing;
     rimline_bytes* svg;
-    const rimline_option options[] = {{"eye", "2,1,5"}, {"hidden", "dashed"}, {"keep-coincident", NULL}};
+    char place[100];
+    const rimline_option options[] = {{"eye", place}, {"hidden", "dashed"}, {"keep-coincident", NULL}};
     FILE* file;
     int frame;
 
@@ -39,6 +40,8 @@ int main(int argc, char** argv) {
     stop_on(rimline_mesh_get_info(mesh, &info, &error), &error);
 
     eye.x = info.center[0] + 3.0 * info.radius;
+    eye.y = info.center[1] + info.radius;
+    eye.z = info.center[2];
     stop_on(rimline_tracker_create(mesh, &eye, NULL, &tracker, &error), &error);
     for (frame = 1; frame <= 10; ++frame) {
         eye.x = info.center[0] + 3.0 * info.radius * cos(0.01 * frame);
@@ -48,6 +51,8 @@ int main(int argc, char** argv) {
                (unsigned)changes.added_count, (unsigned)changes.removed_count);
     }
 
+    /* From where the camera is now. */
+    snprintf(place, sizeof place, "%.9g,%.9g,%.9g", eye.x, eye.y, eye.z);
     stop_on(rimline_drawer_create(mesh, NULL, &drawer, &error), &error);
     stop_on(rimline_drawer_draw(drawer, options, 3, NULL, &drawing, &error), &error);
     stop_on(rimline_drawing_encode(drawing, RIMLINE_SVG, &svg, &error), &error);

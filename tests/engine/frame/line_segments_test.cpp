@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "tests/stops.h"
+
 namespace rimline {
 namespace {
 
@@ -59,6 +61,15 @@ TEST_CASE("segments are cut where the widened picture ends, and none lies outsid
           doctest::Approx(-(2.0 + RIMLINE_INK_REACH)));  // Along the diagonal, upwards.
     CHECK(segments[1].ends.x == doctest::Approx(152.0 + RIMLINE_INK_REACH));
     CHECK(segments[2].ends.w == doctest::Approx(-(2.0 + RIMLINE_INK_REACH)));
+}
+
+TEST_CASE("points that are not finite or beyond all pictures stop the program") {
+    const auto with = [](double x) { return [x] { segments_of({{{0, 0}, {x, 0}}, {{0, 2}}}); }; };
+    CHECK_FALSE(tests::stops(with(1e25)));
+    for (const double x : {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e300}) {
+        CAPTURE(x);
+        CHECK(tests::stops(with(x)));
+    }
 }
 
 TEST_CASE("a hidden line has the strength of hidden lines, and is left out if that is 0") {

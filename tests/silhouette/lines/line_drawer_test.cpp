@@ -257,6 +257,36 @@ TEST_CASE("gaps are bridged up to their length and short strokes are left out") 
     }
 }
 
+TEST_CASE("visible lines are the same whether counts are split or not") {
+    for (const char* shape : {"scene", "knot"}) {
+        CAPTURE(shape);
+        const Mesh mesh(make_built_in_shape(shape, 20'000));
+        const LineView view = tests::view_of(mesh, {1, 1, 2}, false);
+        LineOptions options{.gap = 0.004};
+        const LineDrawing joined = draw(mesh, view, options);
+        options.splits_counts = true;
+        const LineDrawing split = draw(mesh, view, options);
+        CHECK(split.runs.size() > joined.runs.size());
+        REQUIRE(split.strokes.size() == joined.strokes.size());
+        for (std::size_t i = 0; i < split.strokes.size(); ++i)
+            CHECK(split.strokes[i].length ==
+                  doctest::Approx(joined.strokes[i].length).epsilon(1e-9));
+    }
+}
+
+TEST_CASE(
+    "an outline with right angles is one closed stroke where its lines coincide with others") {
+    const Mesh mesh(make_built_in_shape("box", 12));
+    const LineView view = tests::view_of(mesh, {0, 0, 1}, true);
+    const LineDrawing drawing = draw(mesh, view, {.gap = 0.01});
+    REQUIRE(drawing.strokes.size() == 1);
+    CHECK(drawing.strokes[0].is_closed);
+    CHECK(drawing.strokes[0].length == doctest::Approx(8.0));
+    // Three lines that end in one corner stay three.
+    const LineView slanted = tests::view_of(mesh, {1, 1, 1}, true);
+    CHECK(draw(mesh, slanted, {.gap = 0.01}).strokes.size() == 4);
+}
+
 TEST_CASE("a drawing can be cancelled") {
     const Mesh mesh(make_built_in_shape("knot", 2000));
     const LineSurface surface(mesh);

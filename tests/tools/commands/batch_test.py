@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import resource
 import signal
 import subprocess
 import tempfile
@@ -267,9 +268,11 @@ def test_odd_names_and_links_are_models_once():
                 file.write(TRIANGLE)
         for name in ("one", "two"):
             os.symlink(".", root / name)
+        # Where names say bytes by a backslash, names with a backslash say another.
+        (root / "n\\x0al.obj").write_text(TRIANGLE)
         arguments = (str(root), "-o", f"{folder}/out", "--", "draw", "-o", "{out}/{path}.svg")
-        assert succeed(*arguments)["done"] == 6
-        assert succeed(*arguments)["skipped"] == 6
+        assert succeed(*arguments)["done"] == 7
+        assert succeed(*arguments)["skipped"] == 7
         assert os.path.exists(f"{folder}/out/{{name}}.svg")
         (pathlib.Path(folder) / "list").write_text(f"{root}/a b.obj\n{root}/../odd/a b.obj\n./-x.obj\n-x.obj\n")
         result = run("batch", "--json", f"@{folder}/list", "-o", "more", "--", "info", cwd=root)
@@ -413,3 +416,49 @@ def test_pictures_of_several_models_are_drawn_at_a_time():
         for line in entries(f"{out}/manifest.jsonl"):
             assert [os.path.basename(output) for output in line["outputs"]] == ["contact_sheet.png", "view_1.png",
                                                                                "view_2.png"]
+
+
+def test_models_have_the_names_of_folders_and_not_of_links_to_them():
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder) / "tree"
+        for place in ("real", "z/deep"):
+            (root / place).mkdir(parents=True)
+            (root / place / "a.obj").write_text(TRIANGLE)
+        os.symlink("real", root / "again")
+        os.symlink("../real", root / "z/0")
+        os.symlink("../z/deep", root / "real/0")
+        other = pathlib.Path(folder) / "other"
+        other.mkdir()
+        (other / "b.obj").write_text(TRIANGLE)
+        os.symlink("../other", root / "b")
+        os.symlink("../other", root / "a")
+        succeed(str(root), "-o", f"{folder}/out", "--", "info")
+        names = {os.path.relpath(line["input"], root) for line in entries(f"{folder}/out/manifest.jsonl")}
+        assert names == {"real/a.obj", "z/deep/a.obj", "a/b.obj"}, names
+
+
+def test_a_failure_is_one_whatever_the_parent_does_with_signals():
+    with tempfile.TemporaryDirectory() as folder:
+        bad = os.path.join(folder, "bad.obj")
+        pathlib.Path(bad).write_text("f 1 2 3\n")
+        result = subprocess.run([PROGRAM, "batch", bad, "-o", f"{folder}/out", "--", "info"], capture_output=True,
+                                text=True, preexec_fn=lambda: signal.signal(signal.SIGCHLD, signal.SIG_IGN))
+        assert result.returncode == 1, result
+        assert [line["status"] for line in entries(f"{folder}/out/manifest.jsonl")] == ["failed"]
+
+
+def test_as_many_models_run_at_a_time_as_the_system_allows():
+    with tempfile.TemporaryDirectory() as folder:
+        shapes = [f"shape:sphere:{100 + i}" for i in range(10)]
+        def few_files():
+            resource.setrlimit(resource.RLIMIT_NOFILE, (24, 24))
+        result = subprocess.run([PROGRAM, "batch", "--jobs", "10", *shapes, "-o", f"{folder}/out", "--", "info"],
+                                capture_output=True, text=True, preexec_fn=few_files)
+        assert result.returncode == 0, result
+        assert {line["status"] for line in entries(f"{folder}/out/manifest.jsonl")} == {"ok"}
+
+
+def test_threads_of_the_subcommand_are_given_once():
+    with tempfile.TemporaryDirectory() as folder:
+        for threads in (["--threads", "1"], ["--threads=1"]):
+            assert succeed("shape:box", "-o", f"{folder}/out", "--", "info", *threads)["done"] == 1

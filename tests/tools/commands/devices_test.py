@@ -30,5 +30,9 @@ def test_the_variable_rimline_device_is_the_default_of_device():
     chosen = next(d for d in succeed("devices")["devices"] if d["chosen"])
     lost = run("render", "shape:box", "-o", os.devnull, env={**os.environ, "RIMLINE_DEVICE": "nowhere"})
     assert lost.returncode == 1 and "'nowhere'" in lost.stderr
+    # Of those that draw nothing it asks nothing.
+    for arguments in (["points", "shape:sphere:500", "--as-points"], ["path", "shape:knot:2000", "--no-ratio"]):
+        unused = run(*arguments, env={**os.environ, "RIMLINE_DEVICE": "nowhere"})
+        assert unused.returncode == 0, unused
     found = run("devices", "--device", str(chosen["index"]), env={**os.environ, "RIMLINE_DEVICE": "nowhere"})
     assert found.returncode == 0, found.stderr

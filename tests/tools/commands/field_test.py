@@ -33,7 +33,7 @@ def test_field_draws_slices_whole_or_not_at_all():
         width, height = png_size(output)
         assert width > height > 64
         os.remove(output)
-        line = fail(1, "field", "shape:knot:2000", "--slice", "z=7", "-o", output)
+        line = fail(2, "field", "shape:knot:2000", "--slice", "z=7", "-o", output)
         assert "does not meet" in line
         assert os.listdir(folder) == []
     for arguments in (["--slice", "w=1", "-o", "a.png"], ["--slice", "z=", "-o", "a.png"],

@@ -15,6 +15,7 @@ def test_light_is_where_render_puts_an_auto_sun():
     voted = succeed("light", "shape:knot:3000", *eye, "--by-votes")
     assert 0 < voted["score"] <= voted["faces"] < 3000 and not voted["sees_backs"]
     assert math.isclose(math.hypot(*voted["sun"]), 1.0) and voted["sun"] != light["sun"]
+    assert "--up" in fail(2, "light", "shape:box", *eye, "--by-votes", "--up", "z")
     have_device()
     with tempfile.TemporaryDirectory() as folder:
         pictures = []

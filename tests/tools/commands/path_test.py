@@ -28,6 +28,7 @@ def test_options_of_pictures_belong_to_a_path_with_pictures():
     for options in (["--style", "toon"], ["--ground"], ["--sun", "auto"], ["--light-follow"], ["--size", "64x48"], ["--fps", "24"]):
         message = fail(2, "path", "shape:knot:2000", "--no-ratio", *options)
         assert f"{options[0]}: there are no pictures" in message, message
+    assert "--device: nothing is drawn" in fail(2, "path", "shape:knot:2000", "--no-ratio", "--device", "0")
 
 
 def test_a_path_is_drawn_through_animate():

@@ -322,10 +322,15 @@ import os, signal, sys, threading, time
 import numpy as np
 import rimline
 
-mesh = rimline.load("shape:knot:1000000")
-vertices, faces = mesh.vertices, mesh.faces
-path = rimline.camera_path(rimline.load("shape:box"), 3, visible=False)
-picture = np.random.default_rng(1).integers(0, 256, (4000, 4000, 4), dtype=np.uint8).view(rimline.Picture)
+name, delay_s = sys.argv[1], float(sys.argv[2])
+# Only what the call needs: the mesh takes a second to make.
+if name == "sample":
+    path = rimline.camera_path(rimline.load("shape:box"), 3, visible=False)
+elif name == "save":
+    picture = np.random.default_rng(1).integers(0, 256, (4000, 4000, 4), dtype=np.uint8).view(rimline.Picture)
+elif name != "load":
+    mesh = rimline.load("shape:knot:1000000")
+    vertices, faces = mesh.vertices, mesh.faces
 calls = {
     "load": lambda: rimline.load("shape:knot:500000", subdivide=3),
     "mesh": lambda: rimline.Mesh(vertices, faces),
@@ -339,7 +344,7 @@ calls = {
     "sample": lambda: path.sample(1_000_000),
     "save": lambda: picture.save(os.devnull),
 }
-call, delay_s = calls[sys.argv[1]], float(sys.argv[2])
+call = calls[name]
 sent = []
 
 def interrupt():
