@@ -1,7 +1,8 @@
 #pragma once
 
 // Joins visible runs to strokes: runs whose ends lie near each other and that go on in one direction, as where a
-// line passes behind another and a new one begins beside it.
+// line passes behind another and a new one begins beside it; and two that meet in a corner alone, as where a part of
+// an outline was left out because it coincides with another line.
 
 #include <cstdint>
 #include <vector>
@@ -30,6 +31,7 @@ private:
     };
     void find_ends(double gap, const LineDrawing& drawing);
     void find_pairs(double gap, const LineDrawing& drawing);
+    bool is_corner(std::size_t i, std::size_t j, double gap) const;
     void follow(std::uint32_t first_end, bool is_closed, double min_length, LineDrawing& drawing);
 
     std::vector<RunEnd> ends_;

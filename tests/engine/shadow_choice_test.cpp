@@ -108,10 +108,10 @@ TEST_CASE("a chain is closed where every edge is run both ways equally often") {
     CHECK(closed(figure_eight(16, 10)));
     CHECK(closed(boxes_on_an_edge()));
     CHECK(!closed(partly_turned_over(make_built_in_shape("sphere", 200))));
-    CHECK(!closed(moebius_strip(20)));
+    CHECK(!closed(half_turned_sheet(20)));
     CHECK(!closed(make_built_in_shape("terrain", 200)));
     CHECK(!closed(upper_half(make_built_in_shape("sphere", 200))));
-    CHECK(!closed(triangle_soup(10, 1)));
+    CHECK(!closed(floating_soup(10, 1)));
 }
 
 TEST_CASE("the single form is for closed meshes with the light and the camera outside") {

@@ -204,6 +204,15 @@ until_true 180 "the batch" is_over
 python3 "$OLDPWD/tests/tools/cluster/whole_once.py" round expected || fail "a task that was told to end: see above"
 [ "$(cat round/manifest.*-of-4.jsonl | grep -c '"input":"bad.obj"')" -le 3 ] || fail "a failure is tried too often"
 
+# Each task of the array tries its own failures again, and only itself.
+rm -rf round
+for number in {1..12}; do echo 'f 1 2 3' >"bad$number.obj"; done
+RIMLINE_RETRIES=1 "$OLDPWD/tools/cluster/slurm_batch.sh" 4 -- bad{1..12}.obj -o round -- info >/dev/null ||
+    fail "sbatch fails"
+until_true 180 "the batch" is_over
+tried=$(cat round/manifest.*-of-4.jsonl | grep -c '"status":"failed"')
+[ "$tried" -eq 24 ] || fail "twelve models that fail were tried $tried times, not twice each"
+
 # What was canceled stays so, and the same command goes on with it.
 rm -rf round
 "${submit[@]}" >/dev/null || fail "sbatch fails"

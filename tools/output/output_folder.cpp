@@ -26,9 +26,9 @@ OutputFolder::OutputFolder(fs::path path, const char* what) : path_(std::move(pa
         throw Error(ErrorCode::io, path_.string() + ": cannot write " + what + ": " + why);
     };
     std::error_code error;
-    fs::path folder = path_.lexically_normal();
-    if (!folder.has_filename()) folder = folder.parent_path();
-    const fs::path parent = folder.parent_path();
+    fs::path normal = path_.lexically_normal();
+    if (!normal.has_filename()) normal = normal.parent_path();
+    const fs::path parent = normal.parent_path();
     if (!parent.empty() && !fs::exists(parent, error))
         fail("there is no folder " + parent.string() + "; create it first");
     own_.make(path_, [&](const fs::path& folder) {

@@ -101,9 +101,9 @@ TEST_CASE("no ray meets more triangles than the bound, of a volume and of each o
     std::deque<Model> models;
     for (const char* name : {"box", "torus", "knot", "spring", "terrain", "scene"})
         models.emplace_back(make_built_in_shape(name, 600));
-    models.emplace_back(moebius_strip(40));
-    models.emplace_back(triangle_soup(60, k_seed));
-    models.emplace_back(triangle_soup(400, k_seed));
+    models.emplace_back(half_turned_sheet(40));
+    models.emplace_back(floating_soup(60, k_seed));
+    models.emplace_back(floating_soup(400, k_seed));
     models.emplace_back(figure_eight(24, 12));
     models.emplace_back(boxes_on_an_edge());
     models.emplace_back(upper_half(make_built_in_shape("knot", 600)));

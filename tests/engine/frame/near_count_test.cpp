@@ -64,8 +64,8 @@ std::vector<MeshSource> sources() {
     return {make_built_in_shape("knot", 3000),
             make_built_in_shape("torus", 1000),
             figure_eight(32, 14),
-            triangle_soup(150, 3),
-            moebius_strip(60),
+            floating_soup(150, 3),
+            half_turned_sheet(60),
             boxes_on_an_edge()};
 }
 

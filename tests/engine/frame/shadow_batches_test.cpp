@@ -125,7 +125,7 @@ TEST_CASE("the bounds of each batch add up to at most its limit") {
     CAPTURE(k_seed);
     Random random(k_seed);
     std::deque<Model> models;
-    models.emplace_back(triangle_soup(3000, k_seed));
+    models.emplace_back(floating_soup(3000, k_seed));
     models.emplace_back(stacked(thin_box(), 200, 0.002f));
     models.emplace_back(make_built_in_shape("knot", 3000));
     std::size_t parts = 0;

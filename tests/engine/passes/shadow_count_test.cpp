@@ -117,10 +117,10 @@ TEST_CASE("the stencil counts the triangles between light and surface of every c
     classes.push_back({"open", make_built_in_shape("terrain", 300)});
     classes.push_back({"non-manifold", boxes_on_an_edge()});
     classes.push_back({"inconsistent", partly_turned_over(make_built_in_shape("sphere", 200))});
-    classes.push_back({"not orientable", moebius_strip(40)});
+    classes.push_back({"not orientable", half_turned_sheet(40)});
     classes.push_back({"self-intersecting", figure_eight(24, 12)});
     classes.push_back({"inside out", turned_inside_out(make_built_in_shape("torus", 300))});
-    classes.push_back({"soup", triangle_soup(60, k_seed)});
+    classes.push_back({"soup", floating_soup(60, k_seed)});
     for (const Class& of : classes) {
         const Model& model = models.emplace_back(of.source);
         int points = 0, greatest = 0, singles = 0;

@@ -315,8 +315,8 @@ TEST_CASE("open sheets soup and what has no outside shade as rays say" *
     const std::vector<MeshSource> sources{
         make_built_in_shape("terrain", 2000),
         upper_half(make_built_in_shape("sphere", 2000)),
-        triangle_soup(120, 5),
-        moebius_strip(80),
+        floating_soup(120, 5),
+        half_turned_sheet(80),
         turned_inside_out(make_built_in_shape("torus", 1500)),
     };
     for (const MeshSource& source : sources) {

@@ -61,7 +61,7 @@ inline MeshSource upper_half(MeshSource shape) {
 }
 
 // A sheet with a half turn: not orientable, so that one of its edges' rows is inconsistent.
-inline MeshSource moebius_strip(std::uint32_t quads) {
+inline MeshSource half_turned_sheet(std::uint32_t quads) {
     MeshSource strip;
     for (std::uint32_t q = 0; q < quads; ++q) {
         const double turn = 2.0 * glm::pi<double>() * q / quads;
@@ -79,7 +79,7 @@ inline MeshSource moebius_strip(std::uint32_t quads) {
     return strip;
 }
 
-inline MeshSource triangle_soup(std::uint32_t count, std::uint64_t seed) {
+inline MeshSource floating_soup(std::uint32_t count, std::uint64_t seed) {
     Random random(seed);
     MeshSource soup;
     for (std::uint32_t f = 0; f < count; ++f) {
@@ -159,8 +159,8 @@ public:
     explicit RandomScenes(std::uint64_t seed) : random_(seed) {
         for (const char* name : {"box", "torus", "knot", "spring", "sphere", "terrain", "scene"})
             models_.emplace_back(make_built_in_shape(name, 1000));
-        models_.emplace_back(moebius_strip(40));
-        models_.emplace_back(triangle_soup(40, seed));
+        models_.emplace_back(half_turned_sheet(40));
+        models_.emplace_back(floating_soup(40, seed));
         models_.emplace_back(figure_eight(32, 14));
         models_.emplace_back(turned_inside_out(make_built_in_shape("torus", 600)));
         models_.emplace_back(partly_turned_over(make_built_in_shape("sphere", 300)));
