@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -276,8 +277,8 @@ constexpr const char* k_out_of_memory = "out of memory; take a smaller model or 
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::signal(SIGCHLD,
-                SIG_DFL);  // Ignored, as a parent may leave it, it hides how processes end.
+    // A parent may have left it ignored; then it is not known how processes end.
+    std::signal(SIGCHLD, SIG_DFL);
     rimline::tools::end_with_parent();
     rimline::tools::keep_freed_memory();
     std::set_terminate(end_by_exception);
