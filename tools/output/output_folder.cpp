@@ -26,9 +26,7 @@ OutputFolder::OutputFolder(fs::path path, const char* what) : path_(std::move(pa
         throw Error(ErrorCode::io, path_.string() + ": cannot write " + what + ": " + why);
     };
     std::error_code error;
-    fs::path normal = path_.lexically_normal();
-    if (!normal.has_filename()) normal = normal.parent_path();
-    const fs::path parent = normal.parent_path();
+    const fs::path parent = (path_.has_filename() ? path_ : path_.parent_path()).parent_path();
     if (!parent.empty() && !fs::exists(parent, error))
         fail("there is no folder " + parent.string() + "; create it first");
     own_.make(path_, [&](const fs::path& folder) {

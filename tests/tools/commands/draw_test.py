@@ -401,6 +401,10 @@ def test_pages_have_the_size_that_is_asked_for():
         box = bounds(read_svg(path)[1])
         assert max(result["page"]) == 180
         assert is_close(box, [3, 3, result["page"][0] - 3, result["page"][1] - 3], 0.1)
+        # A line of 5 mm is whole.
+        result = succeed("draw", "shape:knot:2000", *PLAIN, "--page", "fit", "--margin", "0", "--width", "5", "-o", path)
+        box = bounds(read_svg(path)[1])
+        assert is_close(box, [2.5, 2.5, result["page"][0] - 2.5, result["page"][1] - 2.5], 0.1)
         # Each tolerance has the length on the page that is asked for.
         few = succeed("draw", "shape:knot:20000", *PLAIN, "--simplify", "1", "-o", path)
         coarse = sum(len(line.points) for line in read_svg(path)[1])

@@ -32,6 +32,9 @@ TEST_CASE("a word for the shell is quoted where it must be") {
     CHECK(quoted_for_shell("#102030") == "'#102030'");
     CHECK(quoted_for_shell("it's") == "'it'\\''s'");
     CHECK(quoted_for_shell("") == "''");
+    // Bytes that no terminal shows, as bash reads them.
+    CHECK(quoted_for_shell("a\nb\x7f") == "$'a\\012b\\177'");
+    CHECK(quoted_for_shell("\t'\\x") == "$'\\011\\'\\\\x'");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <string>
 
 #include "tests/tools/scratch_folder.h"
 
@@ -29,6 +30,25 @@ TEST_CASE("pictures of an older run are removed, and nothing else") {
     for (const char* name : {"frame_0000.png", "frame_0001.png", "frame_12345.png"}) {
         CAPTURE(name);
         CHECK_FALSE(std::filesystem::exists(path / name));
+    }
+}
+
+TEST_CASE("a folder is made where its parent is, by links too, and else the parent is named") {
+    const tests::ScratchFolder scratch;
+    std::filesystem::create_directories(scratch / "there/deep");
+    std::filesystem::create_directory_symlink("there/deep", scratch / "link");
+    for (const char* name : {"a", "b/", "link/../c", "link/../d/"})
+        CHECK_NOTHROW(OutputFolder(scratch / name, "frames"));
+    for (const char* name : {"no/a", "no/b/"}) {
+        CAPTURE(name);
+        std::string message;
+        try {
+            OutputFolder(scratch / name, "frames");
+        } catch (const Error& error) {
+            message = error.what();
+        }
+        CHECK(message.ends_with("there is no folder " + (scratch / "no").string() +
+                                "; create it first"));
     }
 }
 
