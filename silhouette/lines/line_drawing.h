@@ -55,10 +55,11 @@ struct LineChain {
     double length;
 };
 
-/// A visible run as a part of a stroke.
+/// A visible run as a part of a stroke: the whole run, or what is left of it where the next part runs over its end.
 struct StrokePart {
     std::uint32_t run;
     bool is_reversed;
+    std::uint32_t first_point, last_point;  ///< [first, last), in the order of the run.
 };
 
 struct LineStroke {
@@ -82,7 +83,7 @@ struct LineReport {
 };
 
 struct LineDrawing {
-    std::vector<LinePoint> points;
+    std::vector<LinePoint> points;    ///< Of all runs, then of the parts that are not whole runs.
     std::vector<LineSource> sources;  ///< One for each point.
     std::vector<LineRun> runs;
     std::vector<LineChain> chains;
@@ -92,6 +93,13 @@ struct LineDrawing {
 
     std::span<const LinePoint> points_of(const LineRun& run) const noexcept {
         return {points.data() + run.first_point, points.data() + run.last_point};
+    }
+    std::span<const LinePoint> points_of(const StrokePart& part) const noexcept {
+        return {points.data() + part.first_point, points.data() + part.last_point};
+    }
+    /// The part of a stroke that is a whole run.
+    StrokePart whole(std::uint32_t run, bool is_reversed) const noexcept {
+        return {run, is_reversed, runs[run].first_point, runs[run].last_point};
     }
     std::span<const LineRun> runs_of(const LineChain& chain) const noexcept {
         return {runs.data() + chain.first_run, runs.data() + chain.last_run};

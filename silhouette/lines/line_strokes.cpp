@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 
 namespace rimline {
 
 namespace {
 
-constexpr std::uint32_t k_no_mate = 0xffffffffu;
 // Two ends go on into each other where their ways differ from straight on by less than 45 degrees.
 constexpr double k_max_cos_of_ends = -0.7071067811865476;
 // Where two ends touch and no third, the pen goes on around a corner of up to 100 degrees.
@@ -16,6 +17,9 @@ constexpr double k_max_cos_of_corner = 0.17364817766693033;
 constexpr double k_touch = 1e-3;  // Of the gap.
 // Not back over itself: the gap leads forwards, by at least this cosine.
 constexpr double k_min_cos_of_gap = -0.3;
+// Runs overlap by at most this. Where they do, each lies no farther from the other than that, and one of them ends no
+// farther than half of it. Of the gap.
+constexpr double k_max_overlap = 6.0, k_max_aside = 1.0;
 
 bool is_loop(const LineDrawing& drawing, const LineRun& run) {
     const LineChain& chain = drawing.chains[run.chain];
@@ -61,31 +65,138 @@ bool LineStrokes::is_corner(std::size_t i, std::size_t j, double gap) const {
     return true;
 }
 
+// The place of the run nearest to this one, on the last stretch of this length before the end.
+LineStrokes::NearestPlace LineStrokes::nearest_before(const RunEnd& end, const glm::dvec2& place,
+                                                      double reach, const LineDrawing& drawing) {
+    const std::span<const LinePoint> points = drawing.points_of(drawing.runs[end.end / 2]);
+    const std::size_t last = points.size() - 1;
+    const auto number = [&](std::size_t i) { return end.end % 2 == 0 ? i : last - i; };
+    NearestPlace nearest{0.0, std::numeric_limits<double>::infinity(), end.way};
+    double length = 0.0;
+    for (std::size_t i = 0; i < last && length < reach; ++i) {
+        const glm::dvec2 from = points[number(i)].position;
+        const glm::dvec2 way = points[number(i + 1)].position - from;
+        const double square = glm::dot(way, way);
+        if (square == 0.0) continue;
+        const double share = std::clamp(glm::dot(place - from, way) / square, 0.0, 1.0);
+        const double distance = glm::distance(place, from + share * way);
+        if (distance < nearest.distance)
+            nearest = {end.end % 2 == 0 ? double(i) + share : double(last - i) - share, distance,
+                       -way / std::sqrt(square)};
+        length += std::sqrt(square);
+    }
+    return nearest;
+}
+
+void LineStrokes::add_pair(std::size_t i, std::size_t j, double gap, const LineDrawing& drawing) {
+    const RunEnd &a = ends_[i], &b = ends_[j];
+    const glm::dvec2 way = b.position - a.position;
+    const double distance = glm::length(way);
+    const bool is_loop = a.end / 2 == b.end / 2;
+    const double run_length = drawing.runs[a.end / 2].length;
+    const double cos = glm::dot(a.way, b.way);
+    const double share = gap > 0.0 ? distance / gap : 0.0;
+    const bool goes_on = cos <= k_max_cos_of_ends;
+    const bool leads_forwards =
+        distance <= 0.1 * gap || glm::dot(a.way, way) >= k_min_cos_of_gap * distance;
+    // Ends of one run close a loop only if the run is much longer than the gap.
+    if (distance <= gap && leads_forwards && !(is_loop && run_length < 4.0 * gap) &&
+        (goes_on ||
+         (cos <= k_max_cos_of_corner && distance <= k_touch * gap && is_corner(i, j, gap)))) {
+        pairs_.push_back({share + 1.0 + cos, a.end, b.end, {}});
+        return;
+    }
+    const double reach = k_max_overlap * gap;
+    if (goes_on && distance <= reach && !(is_loop && run_length < 4.0 * reach) &&
+        glm::dot(a.way, way) < 0.0 && glm::dot(b.way, way) > 0.0)
+        add_overlap(a, b, gap, drawing);
+}
+
+// Two runs that each end beside the other. One of them is cut where the other one ends.
+void LineStrokes::add_overlap(const RunEnd& a, const RunEnd& b, double gap,
+                              const LineDrawing& drawing) {
+    const double reach = k_max_overlap * gap, aside = k_max_aside * gap;
+    const NearestPlace on_a = nearest_before(a, b.position, reach, drawing);
+    const NearestPlace on_b = nearest_before(b, a.position, reach, drawing);
+    const bool cuts_a = on_a.distance < on_b.distance;
+    const NearestPlace& place = cuts_a ? on_a : on_b;
+    const double cos = glm::dot(place.way, cuts_a ? b.way : a.way);
+    if (place.distance > 0.5 * aside || cos > k_max_cos_of_ends) return;
+    // What is cut off lies beside the other run.
+    const auto is_beside = [&](const RunEnd& end, double at, const RunEnd& other) {
+        const std::span<const LinePoint> points = drawing.points_of(drawing.runs[end.end / 2]);
+        const bool is_last = end.end % 2 != 0;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if ((is_last ? double(i) > at : double(i) < at) &&
+                nearest_before(other, points[i].position, reach, drawing).distance > aside)
+                return false;
+        return true;
+    };
+    if (!is_beside(a, on_a.at, b) || !is_beside(b, on_b.at, a)) return;
+    std::array<Cut, 2> cuts{Cut{a.end, on_a.at}, Cut{b.end, on_b.at}};
+    if (!cuts_a) std::swap(cuts[0], cuts[1]);
+    const double distance = glm::distance(a.position, b.position);
+    pairs_.push_back({(place.distance + 0.25 * distance) / gap + 1.0 + cos, a.end, b.end, cuts});
+}
+
 void LineStrokes::find_pairs(double gap, const LineDrawing& drawing) {
     pairs_.clear();
     for (std::size_t i = 0; i < ends_.size(); ++i)
         for (std::size_t j = i + 1;
-             j < ends_.size() && ends_[j].position.x - ends_[i].position.x <= gap; ++j) {
-            const RunEnd &a = ends_[i], &b = ends_[j];
-            const glm::dvec2 way = b.position - a.position;
-            const double distance = glm::length(way);
-            // Ends of one run close a loop only if the run is much longer than the gap.
-            if (distance > gap ||
-                (a.end / 2 == b.end / 2 && drawing.runs[a.end / 2].length < 4.0 * gap))
-                continue;
-            const double cos = glm::dot(a.way, b.way);
-            if (cos > k_max_cos_of_ends &&
-                !(cos <= k_max_cos_of_corner && distance <= k_touch * gap && is_corner(i, j, gap)))
-                continue;
-            if (distance > 0.1 * gap && glm::dot(a.way, way) < k_min_cos_of_gap * distance)
-                continue;
-            const double share = gap > 0.0 ? distance / gap : 0.0;
-            pairs_.push_back({share + 1.0 + cos, a.end, b.end});
-        }
+             j < ends_.size() && ends_[j].position.x - ends_[i].position.x <= k_max_overlap * gap;
+             ++j)
+            add_pair(i, j, gap, drawing);
     std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
         if (a.score != b.score) return a.score < b.score;
         return a.a != b.a ? a.a < b.a : a.b < b.b;
     });
+}
+
+void LineStrokes::mate(const Pair& pair) {
+    if (mates_[pair.a] != k_no_end || mates_[pair.b] != k_no_end) return;
+    if (pair.cuts[0].end != k_no_end && !cut(pair.cuts[0]) && !cut(pair.cuts[1])) return;
+    mates_[pair.a] = pair.b;
+    mates_[pair.b] = pair.a;
+}
+
+bool LineStrokes::cut(const Cut& cut) {
+    const std::uint32_t run = cut.end / 2;
+    const bool is_last = cut.end % 2 != 0;
+    if (is_last ? cut.at <= begins_[run] : cut.at >= ends_of_runs_[run]) return false;
+    (is_last ? ends_of_runs_ : begins_)[run] = cut.at;
+    return true;
+}
+
+// Returns the length of the part.
+double LineStrokes::add_part(std::uint32_t run, bool is_reversed, LineDrawing& drawing) const {
+    StrokePart part = drawing.whole(run, is_reversed);
+    const std::uint32_t first = part.first_point, last = part.last_point - 1;
+    const double begin = begins_[run], end = ends_of_runs_[run];
+    double length = drawing.runs[run].length;
+    if (begin > 0.0 || end < double(last - first)) {
+        // Copies, as more points are added.
+        const auto add = [&](LinePoint point, LineSource source) {
+            drawing.points.push_back(point);
+            drawing.sources.push_back(source);
+        };
+        const auto add_at = [&](double at) {
+            const auto i = std::min(first + static_cast<std::uint32_t>(at), last - 1);
+            const double share = at - double(i - first);
+            const LinePoint a = drawing.points[i], b = drawing.points[i + 1];
+            add({glm::mix(a.position, b.position, share), glm::mix(a.depth, b.depth, share),
+                 glm::mix(a.arc, b.arc, share)},
+                drawing.sources[share < 0.5 ? i : i + 1]);
+        };
+        part.first_point = static_cast<std::uint32_t>(drawing.points.size());
+        add_at(begin);
+        for (auto i = first + static_cast<std::uint32_t>(begin) + 1; double(i - first) < end; ++i)
+            add(drawing.points[i], drawing.sources[i]);
+        add_at(end);
+        part.last_point = static_cast<std::uint32_t>(drawing.points.size());
+        length = drawing.points.back().arc - drawing.points[part.first_point].arc;
+    }
+    drawing.stroke_parts.push_back(part);
+    return length;
 }
 
 void LineStrokes::follow(std::uint32_t first_end, bool is_closed, double min_length,
@@ -97,10 +208,9 @@ void LineStrokes::follow(std::uint32_t first_end, bool is_closed, double min_len
     for (std::uint32_t end = first_end;;) {
         const std::uint32_t run = end / 2;
         is_done_[run] = 1;
-        drawing.stroke_parts.push_back({run, end % 2 != 0});
-        stroke.length += drawing.runs[run].length;
+        stroke.length += add_part(run, end % 2 != 0, drawing);
         const std::uint32_t next = mates_[end ^ 1u];
-        if (next == k_no_mate || is_done_[next / 2] != 0) break;
+        if (next == k_no_end || is_done_[next / 2] != 0) break;
         end = next;
     }
     stroke.last_part = static_cast<std::uint32_t>(drawing.stroke_parts.size());
@@ -111,15 +221,15 @@ void LineStrokes::follow(std::uint32_t first_end, bool is_closed, double min_len
 }
 
 void LineStrokes::join(const LineOptions& options, LineDrawing& drawing) {
-    mates_.assign(2 * drawing.runs.size(), k_no_mate);
+    mates_.assign(2 * drawing.runs.size(), k_no_end);
     is_done_.assign(drawing.runs.size(), 0);
+    begins_.assign(drawing.runs.size(), 0.0);
+    ends_of_runs_.clear();
+    for (const LineRun& run : drawing.runs)
+        ends_of_runs_.push_back(double(run.last_point - run.first_point) - 1.0);
     find_ends(options.gap, drawing);
     find_pairs(options.gap, drawing);
-    for (const Pair& pair : pairs_) {
-        if (mates_[pair.a] != k_no_mate || mates_[pair.b] != k_no_mate) continue;
-        mates_[pair.a] = pair.b;
-        mates_[pair.b] = pair.a;
-    }
+    for (const Pair& pair : pairs_) mate(pair);
     for (const bool closed : {false, true})
         for (std::uint32_t r = 0; r < drawing.runs.size(); ++r) {
             if (is_done_[r] != 0 || !drawing.runs[r].is_visible()) continue;
@@ -128,7 +238,7 @@ void LineStrokes::join(const LineOptions& options, LineDrawing& drawing) {
                 continue;
             }
             for (std::uint32_t k = 0; k < 2 && is_done_[r] == 0; ++k)
-                if (closed || mates_[2 * r + k] == k_no_mate)
+                if (closed || mates_[2 * r + k] == k_no_end)
                     follow(2 * r + k, closed, options.min_length, drawing);
         }
 }

@@ -1,9 +1,11 @@
 #pragma once
 
 // Joins visible runs to strokes: runs whose ends lie near each other and that go on in one direction, as where a
-// line passes behind another and a new one begins beside it; and two that meet in a corner alone, as where a part of
-// an outline was left out because it coincides with another line.
+// line passes behind another and a new one begins beside it; runs of which one begins beside the end of the other,
+// as where a contour goes to and fro between the faces of a hollow; and two that meet in a corner alone, as where a
+// part of an outline was left out because it coincides with another line.
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -14,29 +16,50 @@ namespace rimline {
 
 class LineStrokes {
 public:
-    /// Sets strokes and stroke_parts of the drawing. Strokes shorter than options.min_length are left out.
-    /// O(runs log runs + pairs of ends nearer than options.gap).
+    /// Sets strokes and stroke_parts of the drawing, and adds points of parts that are not whole runs. Strokes shorter
+    /// than options.min_length are left out. O(runs log runs + pairs of ends nearer than four times options.gap).
     void join(const LineOptions& options, LineDrawing& drawing);
 
 private:
+    static constexpr std::uint32_t k_no_end = 0xffffffffu;
     // End 2 * run is the first end of a run, 2 * run + 1 its last.
     struct RunEnd {
         std::uint32_t end;
         glm::dvec2 position;
         glm::dvec2 way;  // Out of the run, of length 1.
     };
+    // Where a run is cut: at number + share of its points.
+    struct Cut {
+        std::uint32_t end = k_no_end;
+        double at = 0.0;
+    };
     struct Pair {
         double score;
         std::uint32_t a, b;  // Ends.
+        // Of runs that overlap, one of which is made, the first if something is left of that run then.
+        std::array<Cut, 2> cuts;
+    };
+    struct NearestPlace {
+        double at;
+        double distance;
+        glm::dvec2 way;  // There, out of the run.
     };
     void find_ends(double gap, const LineDrawing& drawing);
     void find_pairs(double gap, const LineDrawing& drawing);
+    void add_pair(std::size_t i, std::size_t j, double gap, const LineDrawing& drawing);
+    void add_overlap(const RunEnd& a, const RunEnd& b, double gap, const LineDrawing& drawing);
+    static NearestPlace nearest_before(const RunEnd& end, const glm::dvec2& place, double reach,
+                                       const LineDrawing& drawing);
+    void mate(const Pair& pair);
+    bool cut(const Cut& cut);
     bool is_corner(std::size_t i, std::size_t j, double gap) const;
     void follow(std::uint32_t first_end, bool is_closed, double min_length, LineDrawing& drawing);
+    double add_part(std::uint32_t run, bool is_reversed, LineDrawing& drawing) const;
 
     std::vector<RunEnd> ends_;
     std::vector<Pair> pairs_;
-    std::vector<std::uint32_t> mates_;  // By end.
+    std::vector<std::uint32_t> mates_;           // By end.
+    std::vector<double> begins_, ends_of_runs_;  // By run, numbers of points with a share.
     std::vector<std::uint8_t> is_done_;
 };
 

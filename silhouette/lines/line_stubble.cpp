@@ -40,7 +40,7 @@ void LineStubble::fill(double gap, const LineDrawing& drawing) {
         std::optional<glm::dvec2> from;
         // A pen goes on from one part to the next.
         for (const StrokePart& part : drawing.parts_of(stroke)) {
-            const std::span<const LinePoint> points = drawing.points_of(drawing.runs[part.run]);
+            const std::span<const LinePoint> points = drawing.points_of(part);
             for (std::size_t i = 0; i < points.size(); ++i) {
                 const glm::dvec2& to =
                     points[part.is_reversed ? points.size() - 1 - i : i].position;
@@ -91,16 +91,25 @@ bool LineStubble::is_held(const glm::dvec2& place, std::uint32_t stroke, double 
     });
 }
 
-bool LineStubble::has_other_along(const Segment& own, const glm::dvec2& place, double reach) const {
-    const glm::dvec2 way = own.to - own.from;
+glm::dvec2 LineStubble::way_at(std::uint32_t segment, double least) const {
+    const Segment &own = segments_[segment], *from = &own, *to = &own;
+    if (glm::distance(own.from, own.to) < least) {
+        if (segment > first_segments_[own.stroke]) --from;
+        if (segment + 1 < first_segments_[own.stroke + 1]) ++to;
+    }
+    return to->to - from->from;
+}
+
+bool LineStubble::has_other_along(std::uint32_t stroke, const glm::dvec2& way,
+                                  const glm::dvec2& place, double reach) const {
     // 0 across the way, 1 along it. 0 where either has no length.
     const auto square_cos = [&](const glm::dvec2& other) {
         const double dot = glm::dot(way, other);
         return dot == 0.0 ? 0.0 : dot * dot / (glm::dot(way, way) * glm::dot(other, other));
     };
-    const bool has_way = own.from != own.to;
+    const bool has_way = way != glm::dvec2(0.0);
     return any_near(place, [&](const Segment& segment) {
-        if (segment.stroke == own.stroke || stays_[segment.stroke] == 0) return false;
+        if (segment.stroke == stroke || stays_[segment.stroke] == 0) return false;
         const glm::dvec2 aside = nearest_on(segment, place) - place;
         const double distance = glm::length(aside);
         if (distance > reach) return false;
@@ -156,12 +165,12 @@ bool LineStubble::is_double(std::uint32_t stroke, const LineOptions& options) co
     // Between places lies no gap that shows. What is shorter is a dot, without a direction.
     const bool is_dot = lengths_[stroke] <= k_double_spacing * options.gap;
     for (std::uint32_t i = first_segments_[stroke]; i < first_segments_[stroke + 1]; ++i) {
-        Segment own = segments_[i];
-        if (is_dot) own.to = own.from;
+        const Segment& own = segments_[i];
+        const glm::dvec2 way = is_dot ? glm::dvec2(0.0) : way_at(i, k_double_spacing * options.gap);
         const int parts = 1 + static_cast<int>(glm::distance(own.from, own.to) /
                                                (k_double_spacing * options.gap));
         for (int part = 0; part <= parts; ++part)
-            if (!has_other_along(own, glm::mix(own.from, own.to, double(part) / parts),
+            if (!has_other_along(stroke, way, glm::mix(own.from, own.to, double(part) / parts),
                                  options.gap))
                 return false;
     }

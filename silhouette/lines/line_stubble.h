@@ -53,8 +53,11 @@ private:
     bool is_double(std::uint32_t stroke, const LineOptions& options) const;
     // Whether another stroke passes within `reach` of a place.
     bool is_held(const glm::dvec2& place, std::uint32_t stroke, double reach) const;
-    // Whether one in stays_ passes beside a segment's place within `reach`, in about its direction.
-    bool has_other_along(const Segment& own, const glm::dvec2& place, double reach) const;
+    // Whether another in stays_ passes beside a place of a stroke within `reach`, in about its way there.
+    bool has_other_along(std::uint32_t stroke, const glm::dvec2& way, const glm::dvec2& place,
+                         double reach) const;
+    // The way of a segment; of a shorter one than this, the way over it and the two beside it.
+    glm::dvec2 way_at(std::uint32_t segment, double least) const;
     // Whether is_asked(segment) is true of a segment near to the place.
     template <typename IsAsked>
     bool any_near(const glm::dvec2& place, IsAsked&& is_asked) const;

@@ -35,7 +35,8 @@ nlohmann::ordered_json drawing_json(const LineDrawing& drawing, const Mesh& mesh
     for (const LineStroke& stroke : drawing.strokes) {
         Json parts = Json::array();
         for (const StrokePart& part : drawing.parts_of(stroke))
-            parts.push_back(Json::array({part.run, part.is_reversed}));
+            parts.push_back(
+                Json::array({part.run, part.is_reversed, part.first_point, part.last_point}));
         strokes.push_back(
             {{"parts", std::move(parts)}, {"closed", stroke.is_closed}, {"length", stroke.length}});
     }

@@ -46,8 +46,7 @@ public:
     void add_strokes() {
         for (const LineStroke& stroke : drawing_.strokes) {
             begin(false);
-            for (const StrokePart& part : drawing_.parts_of(stroke))
-                add_run(part.run, part.is_reversed);
+            for (const StrokePart& part : drawing_.parts_of(stroke)) add_run(part);
             end(stroke.is_closed);
         }
     }
@@ -72,7 +71,7 @@ public:
                     end(false);
                     begin(true);
                 }
-                if (is_drawn_hidden(run)) add_run(run, false);
+                if (is_drawn_hidden(run)) add_run(drawing_.whole(run, false));
             }
             end(is_loop);
         }
@@ -116,8 +115,7 @@ private:
         return options_.materials->ink_of(drawing_.sources[point].edge, options_.point);
     }
 
-    void add_run(std::uint32_t number, bool is_reversed) {
-        const LineRun& run = drawing_.runs[number];
+    void add_run(const StrokePart& run) {
         // Parts of one ink that follow each other share a point.
         std::vector<InkPart>& parts = ink_parts_;
         parts.clear();
@@ -131,11 +129,11 @@ private:
             else
                 parts.push_back({i - 1, i + 1, ink});
         }
-        if (is_reversed) std::reverse(parts.begin(), parts.end());
+        if (run.is_reversed) std::reverse(parts.begin(), parts.end());
         for (const InkPart& part : parts) {
             if (!positions_.empty() && part.ink != ink_) divide();
             ink_ = part.ink;
-            add_part(run, part, is_reversed);
+            add_part(run, part);
         }
     }
 
@@ -149,7 +147,9 @@ private:
         positions_.push_back(place);
     }
 
-    void add_part(const LineRun& run, const InkPart& part, bool is_reversed) {
+    void add_part(const StrokePart& stroke_part, const InkPart& part) {
+        const LineRun& run = drawing_.runs[stroke_part.run];
+        const bool is_reversed = stroke_part.is_reversed;
         const std::span<const LinePoint> points(drawing_.points.data() + part.first,
                                                 part.last - part.first);
         simplify(points, options_.simplify_mm / place_.mm_per_unit, kept_);
@@ -164,7 +164,7 @@ private:
         for (std::uint32_t i = part.first; i < part.last; ++i) {
             const std::uint32_t at = is_reversed ? part.last - 1 - (i - part.first) : i;
             // The first point of a later part has the edge of the part before.
-            if (at == part.first && part.first != run.first_point) continue;
+            if (at == part.first && part.first != stroke_part.first_point) continue;
             const EdgeId edge = drawing_.sources[at].edge;
             if (edge != k_no_edge && (edges_.empty() || edges_.back() != edge))
                 edges_.push_back(edge);

@@ -112,8 +112,7 @@ void ShownLines::choose_colors(const LineStyle& style) {
 
 void ShownLines::add_strokes(const LineDrawing& drawing) {
     for (const LineStroke& stroke : drawing.strokes) {
-        for (const StrokePart& part : drawing.parts_of(stroke))
-            add_run(drawing, part.run, part.is_reversed);
+        for (const StrokePart& part : drawing.parts_of(stroke)) add_run(drawing, part);
         end_line(false, stroke.is_closed);
     }
 }
@@ -137,7 +136,8 @@ void ShownLines::add_hidden_lines(const LineDrawing& drawing, double min_length)
             const std::size_t run = (start + i) % runs.size();
             if (i > 0 && !goes_on(runs[before(run)], runs[run])) end_hidden_line(false, min_length);
             if (!runs[run].is_visible())
-                add_run(drawing, chain.first_run + static_cast<std::uint32_t>(run), false);
+                add_run(drawing,
+                        drawing.whole(chain.first_run + static_cast<std::uint32_t>(run), false));
         }
         end_hidden_line(is_loop, min_length);
     }
@@ -145,14 +145,13 @@ void ShownLines::add_hidden_lines(const LineDrawing& drawing, double min_length)
 
 // Runs that follow each other share a place. The source of a point is on the edge that leads to it, in the order of
 // the run.
-void ShownLines::add_run(const LineDrawing& drawing, std::uint32_t run, bool is_reversed) {
-    const LineRun& r = drawing.runs[run];
-    const std::uint32_t count = r.last_point - r.first_point;
+void ShownLines::add_run(const LineDrawing& drawing, const StrokePart& run) {
+    const std::uint32_t count = run.last_point - run.first_point;
     for (std::uint32_t i = 0; i < count; ++i) {
-        const std::uint32_t at = is_reversed ? r.last_point - 1 - i : r.first_point + i;
+        const std::uint32_t at = run.is_reversed ? run.last_point - 1 - i : run.first_point + i;
         const LinePoint& point = drawing.points[at];
         if (!points_.empty() && points_.back().position == point.position) continue;
-        const std::uint32_t source = is_reversed && i > 0 ? at + 1 : at;
+        const std::uint32_t source = run.is_reversed && i > 0 ? at + 1 : at;
         colors_.push_back(has_colors_ ? materials_.ink_of(drawing.sources[source].edge, point_)
                                       : k_own_line_color);
         points_.push_back(point);

@@ -41,7 +41,7 @@ private:
     void choose_colors(const LineStyle& style);
     void add_strokes(const LineDrawing& drawing);
     void add_hidden_lines(const LineDrawing& drawing, double min_length);
-    void add_run(const LineDrawing& drawing, std::uint32_t run, bool is_reversed);
+    void add_run(const LineDrawing& drawing, const StrokePart& run);
     void end_hidden_line(bool is_closed, double min_length);
     void end_line(bool is_hidden, bool is_closed);
     void add_part(std::size_t first, std::size_t last, bool is_hidden, bool is_closed);

@@ -143,7 +143,7 @@ public:
         std::vector<std::array<glm::dvec2, 2>> segments;
         for (const LineStroke& stroke : lines.strokes)
             for (const StrokePart& part : lines.parts_of(stroke)) {
-                const auto points = lines.points_of(lines.runs[part.run]);
+                const auto points = lines.points_of(part);
                 for (std::size_t i = 0; i + 1 < points.size(); ++i)
                     segments.push_back({place(points[i]), place(points[i + 1])});
             }

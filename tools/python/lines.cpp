@@ -70,9 +70,18 @@ py::array chains_of(const LineDrawing& drawing) {
     return copied<std::uint32_t>(std::span<const std::array<std::uint32_t, 5>>(rows), 5);
 }
 
+// Points of strokes follow those of runs.
+std::size_t points_of_runs(const LineDrawing& drawing) {
+    return drawing.runs.empty() ? 0 : drawing.runs.back().last_point;
+}
+
+std::span<const LineSource> sources_of_runs(const LineDrawing& drawing) {
+    return {drawing.sources.data(), points_of_runs(drawing)};
+}
+
 py::array source_edges(const LineDrawing& drawing) {
     std::vector<std::int64_t> edges;
-    for (const LineSource& source : drawing.sources)
+    for (const LineSource& source : sources_of_runs(drawing))
         edges.push_back(source.edge == k_no_edge ? -1 : std::int64_t{index(source.edge)});
     return copied<std::int64_t>(std::span<const std::int64_t>(edges));
 }
@@ -134,10 +143,11 @@ void bind_lines(py::module_& module) {
         .def_property_readonly(
             "points",
             [](const py::object& self) {
-                const auto& points = self.cast<const BoundDrawing&>().drawing.points;
+                const LineDrawing& drawing = self.cast<const BoundDrawing&>().drawing;
                 static_assert(sizeof(LinePoint) == 4 * sizeof(double));
-                return array_over<double>(points.data(),
-                                          {static_cast<py::ssize_t>(points.size()), 4}, self);
+                return array_over<double>(drawing.points.data(),
+                                          {static_cast<py::ssize_t>(points_of_runs(drawing)), 4},
+                                          self);
             },
             "P x 4 float64: x, y and depth in picture coordinates, and the length of the chain up "
             "to the point. A view.")
@@ -148,7 +158,8 @@ void bind_lines(py::module_& module) {
             "source_shares",
             [](const BoundDrawing& d) {
                 std::vector<float> shares;
-                for (const LineSource& source : d.drawing.sources) shares.push_back(source.share);
+                for (const LineSource& source : sources_of_runs(d.drawing))
+                    shares.push_back(source.share);
                 return copied<float>(std::span<const float>(shares));
             },
             "P float32: its place on the edge, 0 to 1 from the first vertex to the second.")

@@ -32,7 +32,7 @@ GalleryView gallery_view(const LineSurface& surface, const glm::dvec3& towards_v
     for (const LineStroke& stroke : lines.strokes)
         for (const StrokePart& part : lines.parts_of(stroke)) {
             std::vector<glm::vec2> points;
-            for (const LinePoint& point : lines.points_of(lines.runs[part.run]))
+            for (const LinePoint& point : lines.points_of(part))
                 points.push_back(glm::vec2(point.position / radius));
             found.strokes.push_back(std::move(points));
         }

@@ -331,9 +331,13 @@ def test_a_drawing_as_json_is_consistent():
             assert chain["kind"] in KINDS
             first, last = chain["runs"]
             assert all(run["chain"] == number for run in view["runs"][first:last]) and first < last
-        parts = [part for stroke in view["strokes"] for part, _ in stroke["parts"]]
+        parts = [part for stroke in view["strokes"] for part in stroke["parts"]]
         visible = [i for i, run in enumerate(view["runs"]) if run["hidden_by"] == 0]
-        assert sorted(parts) == visible
+        assert sorted(part[0] for part in parts) == visible
+        # Whole runs, or points after those of all runs.
+        runs = [view["runs"][run]["points"] for run, *_ in parts]
+        cut = [points for run, (_, _, *points) in zip(runs, parts) if points != run]
+        assert 0 < len(cut) < len(parts) and sum(last - first for first, last in cut) == len(view["points"]) - view["runs"][-1]["points"][1]
         # Without the gaps that strokes join.
         drawn = scale * sum(view["runs"][i]["length"] for i in visible)
         assert 0.98 < drawn / result["visible_length"] < 1.02

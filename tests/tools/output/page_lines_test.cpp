@@ -37,9 +37,14 @@ struct MadeDrawing {
             {chain, first, static_cast<std::uint32_t>(drawing.points.size()), hidden_by, length});
         drawing.chains.back().last_run = static_cast<std::uint32_t>(drawing.runs.size());
     }
-    void add_stroke(const std::vector<StrokePart>& parts, bool is_closed) {
+    struct WholeRun {
+        std::uint32_t run;
+        bool is_reversed;
+    };
+    void add_stroke(const std::vector<WholeRun>& runs, bool is_closed) {
         const auto first = static_cast<std::uint32_t>(drawing.stroke_parts.size());
-        for (const StrokePart& part : parts) drawing.stroke_parts.push_back(part);
+        for (const auto& [run, is_reversed] : runs)
+            drawing.stroke_parts.push_back(drawing.whole(run, is_reversed));
         drawing.strokes.push_back(
             {first, static_cast<std::uint32_t>(drawing.stroke_parts.size()), is_closed, 0.0});
     }
