@@ -44,7 +44,7 @@ BoundDrawer::BoundDrawer(SharedMesh mesh, const LongCall& call)
 std::unique_ptr<BoundDrawing> BoundDrawer::draw(const DrawOptions& options, bool follows,
                                                 const LongCall& call) {
     check_options(options);
-    const std::lock_guard lock(mutex_);
+    const Turns::Turn turn(turns_, call);
     const Mesh& mesh = mesh_->mesh();
     LineCameraOptions camera_options = options.camera;
     camera_options.choose_view(mesh_->name(), mesh, call);

@@ -52,7 +52,7 @@ private:
                                   const LongCall& call);
 
     SharedMesh mesh_;
-    std::mutex mutex_;
+    Turns turns_;
     LineDrawer drawer_;
     std::optional<SilhouetteTracker> tracker_;
     std::optional<HomogeneousPoint> last_;  // Of the last drawing.

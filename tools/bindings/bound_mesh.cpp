@@ -1,5 +1,9 @@
 #include "tools/bindings/bound_mesh.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "silhouette/mesh/formats/mesh_file.h"
 #include "tools/options/model_argument.h"
 
 namespace rimline::tools {
@@ -15,6 +19,17 @@ BoundMesh::BoundMesh(std::string name, MeshSource source, Welding welding, const
     if (mesh_.radius() > 0.0 && mesh_.radius() < k_min_radius)
         throw Error(ErrorCode::bad_input, "too small, less than 2^-50 in size: scale it up");
     positions_ = std::move(source.positions);
+}
+
+std::string BoundMesh::lost_shape_warning() const {
+    return rimline::lost_shape_warning(name_, positions_);
+}
+
+glm::dvec3 long_direction(const glm::dvec3& direction) {
+    const double largest =
+        std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+    if (!(largest > 0.0 && largest < 0x1p-20)) return direction;
+    return std::exp2(-std::ilogb(largest)) * direction;
 }
 
 SharedMesh load_bound_mesh(const std::string& model, std::uint32_t subdivide, bool reads_textures,

@@ -2,7 +2,6 @@
 
 // A mesh as other languages hold it (tools/python, tools/c), with what is found for it once and shared by all that use it.
 
-#include <condition_variable>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -12,6 +11,7 @@
 #include "silhouette/hough/hough_octree.h"
 #include "silhouette/lines/line_surface.h"
 #include "silhouette/mesh/mesh.h"
+#include "tools/bindings/turns.h"
 
 namespace rimline::tools {
 
@@ -21,22 +21,12 @@ class MadeOnce {
 public:
     template <typename Make>
     const Value& get(const LongCall& call, Make&& make) {
-        {
-            std::unique_lock lock(mutex_);
-            const bool is_free = changes_.wait(lock, call.stop, [&] { return !is_being_made_; });
-            if (!is_free) throw Error(ErrorCode::cancelled, "cancelled");
-            if (value_) return *value_;
-            is_being_made_ = true;
-        }
-        try {
-            std::optional<Value> made(std::in_place, make());
-            const std::lock_guard lock(mutex_);
-            value_ = std::move(made);
-        } catch (...) {
-            end();
-            throw;
-        }
-        end();
+        if (const Value* const made = get_if_made()) return *made;
+        const Turns::Turn turn(turns_, call);
+        if (const Value* const made = get_if_made()) return *made;
+        std::optional<Value> made(std::in_place, make());
+        const std::lock_guard lock(mutex_);
+        value_ = std::move(made);
         return *value_;
     }
     const Value* get_if_made() {
@@ -45,15 +35,8 @@ public:
     }
 
 private:
-    void end() {
-        const std::lock_guard lock(mutex_);
-        is_being_made_ = false;
-        changes_.notify_all();
-    }
-
-    std::mutex mutex_;
-    std::condition_variable_any changes_;
-    bool is_being_made_ = false;
+    Turns turns_;
+    std::mutex mutex_;  // Of the value.
     std::optional<Value> value_;
 };
 
@@ -67,6 +50,8 @@ public:
     BoundMesh(std::string name, MeshSource source, Welding welding, const LongCall& call);
 
     const std::string& name() const noexcept { return name_; }
+    /// Empty, or that floats have lost the shape of a mesh far from the origin.
+    std::string lost_shape_warning() const;
     const Mesh& mesh() const noexcept { return mesh_; }
     /// By the numbers of the file, with unused ones.
     const std::vector<glm::vec3>& positions() const noexcept { return positions_; }
@@ -88,6 +73,9 @@ private:
     MadeOnce<HoughOctree> octree_;
     MadeOnce<LineSurface> line_surface_;
 };
+
+/// The same direction, with a length at which no component counts as zero beside another (k_min_point_component).
+glm::dvec3 long_direction(const glm::dvec3& direction);
 
 /// A file or built-in shape (model_argument.h), which must have faces. Adds to `warnings`. Throws Error naming it.
 SharedMesh load_bound_mesh(const std::string& model, std::uint32_t subdivide, bool reads_textures,

@@ -40,6 +40,7 @@ Picture BoundRenderer::render(const SharedMesh& shared, RenderOptions& options,
     if (!mesh.is_welded())
         throw UsageError("pictures need a mesh whose equal positions are one vertex");
     options.style.check_usage(options.picture);
+    options.style.check_lines();
     check_has_extent(shared->name(), mesh);
     const glm::dvec3 up = settle_up(mesh, options.picture.up, options.picture.is_up_auto).up;
     const HoughOctree& octree = shared->octree(call);

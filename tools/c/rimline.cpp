@@ -39,6 +39,7 @@ struct rimline_bytes {
 };
 struct rimline_mesh {
     rimline::tools::SharedMesh shared;
+    std::vector<std::string> warnings;
 };
 struct rimline_tracker {
     rimline::tools::SharedMesh mesh;
@@ -147,7 +148,8 @@ HomogeneousPoint point_of(const rimline_point* point) {
         if (!(std::abs(place[axis]) <= double{rimline::k_max_coordinate}))  // NaN too.
             throw UsageError("point: a coordinate is not a finite number within 2^60");
     if (point->is_direction == 0) return HomogeneousPoint::viewpoint(glm::vec3(place));
-    const HomogeneousPoint direction = HomogeneousPoint::direction(glm::vec3(place));
+    const HomogeneousPoint direction =
+        HomogeneousPoint::direction(glm::vec3(rimline::tools::long_direction(place)));
     if (direction.xyz() == glm::vec3(0.0f)) throw UsageError("point: a direction is zero");
     return direction;
 }
@@ -157,8 +159,13 @@ void parse(CLI::App& app, const rimline_option* options, size_t count) {
     std::vector<std::string> words;
     for (size_t i = count; i-- > 0;) {  // CLI11 takes them from the end.
         const std::string name = given(options[i].name, "options: a name");
-        if (app.get_option_no_throw("--" + name) == nullptr || name == "help")
+        const CLI::Option* const option = app.get_option_no_throw("--" + name);
+        if (option == nullptr || name == "help")
             throw UsageError("options: there is no option '" + name + "'");
+        // An empty one would take the next option for its value.
+        const bool has_value = options[i].value != nullptr && *options[i].value != '\0';
+        if (!has_value && option->get_expected_max() != 0)
+            throw UsageError("options: " + name + " needs a value");
         words.push_back("--" + name +
                         (options[i].value == nullptr ? "" : "=" + std::string(options[i].value)));
     }
@@ -218,8 +225,8 @@ rimline_status rimline_mesh_load(const char* path, const rimline_call* call, rim
         const CallersCall long_call(call);
         std::vector<std::string> warnings;
         try {
-            *mesh = new rimline_mesh{
-                rimline::tools::load_bound_mesh(name, 0, true, warnings, long_call.get())};
+            auto shared = rimline::tools::load_bound_mesh(name, 0, true, warnings, long_call.get());
+            *mesh = new rimline_mesh{std::move(shared), std::move(warnings)};
         } catch (const CLI::ValidationError& failure) {  // A shape that does not exist.
             const std::string message = failure.what();
             throw UsageError("path" + message.substr(message.find(": ")));
@@ -258,9 +265,18 @@ rimline_status rimline_mesh_create(const float* positions, size_t vertex_count,
                                      std::to_string(vertex_count));
                 source.triangles[face][corner] = vertex;
             }
-        *mesh = new rimline_mesh{std::make_shared<rimline::tools::BoundMesh>(
-            "the mesh", std::move(source), rimline::Welding::equal_positions, long_call.get())};
+        auto shared = std::make_shared<rimline::tools::BoundMesh>(
+            "the mesh", std::move(source), rimline::Welding::equal_positions, long_call.get());
+        std::vector<std::string> warnings;
+        if (std::string warning = shared->lost_shape_warning(); !warning.empty())
+            warnings.push_back(std::move(warning));
+        *mesh = new rimline_mesh{std::move(shared), std::move(warnings)};
     });
+}
+
+const char* rimline_mesh_warning(const rimline_mesh* mesh, size_t index) {
+    return mesh == nullptr || index >= mesh->warnings.size() ? nullptr
+                                                             : mesh->warnings[index].c_str();
 }
 
 void rimline_mesh_free(rimline_mesh* mesh) { delete mesh; }

@@ -103,6 +103,9 @@ RIMLINE_API rimline_status rimline_mesh_create(const float* positions, size_t ve
                                                const uint32_t* corners, size_t face_count,
                                                const rimline_call* call, rimline_mesh** mesh,
                                                rimline_error** error);
+/** What was left out or lost in reading or making the mesh, in UTF-8: the first message has index 0. NULL from their
+ * number on. They belong to the mesh. */
+RIMLINE_API const char* rimline_mesh_warning(const rimline_mesh* mesh, size_t index);
 RIMLINE_API void rimline_mesh_free(rimline_mesh* mesh);
 
 typedef struct rimline_mesh_info {

@@ -93,7 +93,8 @@ public:
             ->type_name("FOLDER|FILE")
             ->capture_default_str()
             ->group("Output");
-        add_count(app, "--fps", fps_, 1, 240, "Frames a second of a film")->group("Output");
+        fps_option_ =
+            add_count(app, "--fps", fps_, 1, 240, "Frames a second of a film")->group("Output");
         path_.frames = 120;
         path_.add_to(app, "chosen to show the whole model");
         constexpr const char* k_group = "Motion";
@@ -208,6 +209,8 @@ public:
                 ground->instance(first, fade_of_ground(mesh, first.lights, ground_up)));
         }
 
+        if (picture_.eye && !wave && is_out_of_view(mesh, first.camera, aspect))
+            print_warning(models_.name() + ": none of it is in the pictures");
         Animation animation(std::move(first), mesh, motion);
         times.end("index");
         const Result result = about_model(models_.name(), [&] {
@@ -235,6 +238,11 @@ private:
 
     void check_usage() const {
         scene_.check_usage(picture_);
+        scene_.check_lines();
+        check_fps(*fps_option_, output_);
+        if (path_.radius == 0.0)
+            throw UsageError(
+                "--radius: the camera looks at the center of the orbit; give more than 0");
         if (picture_.eye && path_.is_moving())
             throw UsageError(
                 "--eye: the camera stands there; leave out --path, --radius and --step");
@@ -351,6 +359,7 @@ private:
     PictureOptions picture_;
     std::vector<glm::dvec3> suns_;
     std::string output_ = k_default_folder;
+    const CLI::Option* fps_option_ = nullptr;
     std::uint32_t fps_ = 30;
     double light_step_degrees_ = 0.0;
     CLI::Option* light_step_option_ = nullptr;

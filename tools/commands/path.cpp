@@ -49,7 +49,8 @@ public:
                                         "or .webm (default: no pictures)")
                              ->type_name("FOLDER|FILE")
                              ->group("Output");
-        add_count(app, "--fps", fps_, 1, 240, "Frames a second of a film")->group("Output");
+        fps_option_ =
+            add_count(app, "--fps", fps_, 1, 240, "Frames a second of a film")->group("Output");
         style_.add_to(app);
         style_.add_palette_to(app);
         add_up_or_auto(app, picture_.up, picture_.is_up_auto)->group("Camera");
@@ -71,6 +72,8 @@ public:
 
     ExitStatus run(const Context& context) override {
         style_.check_usage(picture_);
+        style_.check_lines();
+        if (output_option_->count() > 0) check_fps(*fps_option_, output_);
         std::unique_ptr<FrameSink> sink;
         if (output_option_->count() > 0)
             sink = make_frame_sink(output_, {.frame_count = plan_.frames,
@@ -195,6 +198,7 @@ private:
     bool light_follow_ = false;
     std::vector<glm::dvec3> suns_;
     std::string output_;
+    const CLI::Option* fps_option_ = nullptr;
     std::uint32_t fps_ = 30;
     CLI::Option* output_option_ = nullptr;
     const CLI::App* app_ = nullptr;

@@ -91,6 +91,7 @@ public:
         models_.settle(picture_, ModelList::FirstCamera::used);
         options_.has_painted_models = models_.has_paint();
         options_.check_usage(picture_);
+        options_.check_lines();
         outline_.check_usage(*app_);
         check_output(context, output_);
         check_outputs();
@@ -140,6 +141,8 @@ public:
             report.silhouette = lines->silhouette_count();
             report.creases = lines->crease_count();
         }
+        if (is_out_of_view(mesh, scene.camera, double(picture_.size.width) / picture_.size.height))
+            print_warning(models_.name() + ": none of it is in the picture");
         if (context.json)
             print_result(context, device, renderer, report, scene, ground_up);
         else

@@ -74,6 +74,7 @@ public:
 
     ExitStatus run(const Context& context) override {
         style_.check_usage(picture_);
+        style_.check_lines();
         RunTimes& times = context.times;
         std::optional<OutputFolder> folder;
         if (output_option_->count() > 0) folder.emplace(output_, "pictures");

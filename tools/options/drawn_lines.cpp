@@ -61,9 +61,12 @@ void DrawnLines::add_to(CLI::App& app) {
             app, "--curve", curve_mm, 0.0, 100.0,
             "SVG, PDF: fit Bézier curves that leave the line by at most this; 0: straight pieces")
             ->group(k_group);
-    add_number(app, "--width", width_mm, 0.001, 100.0, "Width of visible lines")->group(k_group);
+    width_option =
+        add_number(app, "--width", width_mm, 0.001, 100.0, "SVG, PDF: width of visible lines")
+            ->group(k_group);
     hidden_width_option =
-        add_number(app, "--hidden-width", hidden_width_mm, 0.001, 100.0, "Width of hidden lines")
+        add_number(app, "--hidden-width", hidden_width_mm, 0.001, 100.0,
+                   "Width of hidden lines; in DXF, of which their dashes are multiples")
             ->group(k_group);
     add_color_or(app, "--line-color", color, "material", has_material_colors,
                  "SVG, PDF: color of lines (default: black). material: a dark shade of the colors "
@@ -84,6 +87,8 @@ void DrawnLines::check_usage(bool has_curves) const {
         throw UsageError("--curve: only drawings in SVG and PDF have curves");
     if (!has_curves && (color || has_material_colors))
         throw UsageError("--line-color: only drawings in SVG and PDF have colors");
+    if (!has_curves && width_option->count() > 0)
+        throw UsageError("--width: only drawings in SVG and PDF have widths");
 }
 
 LineOptions DrawnLines::line_options(double mm_per_unit, double side_mm) const {

@@ -37,7 +37,7 @@ struct DrawnLines {
     std::optional<Color> color;        ///< Not set: black.
     bool has_material_colors = false;  ///< Shades of the materials of faces.
 
-    const CLI::Option *curve_option = nullptr,
+    const CLI::Option *curve_option = nullptr, *width_option = nullptr,
                       *hidden_width_option = nullptr;  ///< Set by add_to().
 
     void add_to(CLI::App& app);

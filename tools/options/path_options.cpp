@@ -1,7 +1,11 @@
 #include "tools/options/path_options.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
 
+#include "tools/nearest_name.h"
 #include "tools/options/option_types.h"
 #include "tools/options/track_path.h"
 #include "tools/progress.h"
@@ -48,6 +52,11 @@ void PathOptions::read(const Context& context) {
     for (const CLI::Option* option : orbit_options_) require_path(option, "orbit");
     require_path(seed_option_, "random");
     if (!is_file()) return;
+    std::error_code ignored;
+    const std::string meant = did_you_mean(path, std::vector<std::string>{"orbit", "random"});
+    if (!meant.empty() && !std::filesystem::exists(path, ignored))
+        throw UsageError("--path: expected orbit, random or a file of points, not '" + path + "'" +
+                         meant);
     Progress progress(context, "reading " + path);
     file_points_ = read_path(path, progress.call());
     if (frames_option_->count() > 0) {

@@ -1,5 +1,7 @@
 #include "tools/options/picture_scene.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/trigonometric.hpp>
 #include <optional>
@@ -97,6 +99,22 @@ std::optional<Camera> silhouette_camera_of(const Subject& subject, const Camera&
     seen.eye = seen.target + 4.0 * radius * direction;
     seen.ortho_height = 2.0 * radius;
     return seen;
+}
+
+bool is_out_of_view(const Mesh& mesh, const Camera& camera, double aspect) {
+    const glm::dmat3 axes = camera_from_world(camera);
+    const Projection projection =
+        make_projection(camera, aspect, mesh.center(), std::max(mesh.radius(), 1e-30));
+    std::array<std::size_t, 5> outside{};
+    for (const glm::vec3& position : mesh.positions()) {
+        const glm::dvec3 p = axes * (glm::dvec3(position) - camera.eye);
+        const double w = projection.w[0] * p.z + projection.w[1];
+        const glm::dvec2 clip = projection.scale * glm::dvec2(p) + projection.shift * w;
+        const std::array<bool, 5> is_outside{clip.x<-w, clip.x> w, clip.y<-w, clip.y> w, w < 0.0};
+        for (std::size_t i = 0; i < 5; ++i) outside[i] += is_outside[i];
+    }
+    const std::size_t count = mesh.positions().size();
+    return std::ranges::find(outside, count) != outside.end();
 }
 
 SceneInstance ground_instance(const Scene& scene, const Mesh& mesh, const HoughOctree& octree,

@@ -40,6 +40,9 @@ Camera rounded_to_float(const Camera& camera);
 /// the default one. Throws UsageError if eye and target coincide.
 Camera make_camera(const Subject& subject, const std::string& model, const PictureOptions& options);
 
+/// Whether all of the mesh lies on the outer side of one side of the view, or behind the viewer. O(vertices).
+bool is_out_of_view(const Mesh& mesh, const Camera& camera, double aspect);
+
 /// The camera of --silhouette-from, which is `from` in the subject's coordinates, or of --silhouette-direction; nothing
 /// without both. `camera` is that of the picture. Throws UsageError if `from` is the subject's center.
 std::optional<Camera> silhouette_camera_of(const Subject& subject, const Camera& camera,

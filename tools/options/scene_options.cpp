@@ -150,6 +150,22 @@ void SceneOptions::check_usage(const PictureOptions& picture) const {
     check("--background", picture.background);
 }
 
+void SceneOptions::check_lines() const {
+    if (draws_lines()) return;
+    const auto refuse = [&](const char* option, bool is_given) {
+        if (is_given)
+            throw UsageError(std::string(option) +
+                             (lines ? ": --lines off draws no lines"
+                                    : ": the style mask draws lines with --lines on alone"));
+    };
+    refuse("--line-color", line_color || has_material_lines);
+    refuse("--line-width", line_width.has_value());
+    refuse("--crease", crease_degrees.has_value());
+    refuse("--hidden", hidden);
+    refuse("--intersections", intersections == "on");
+    refuse("--min-length", min_length.has_value());
+}
+
 glm::vec3 SceneOptions::background(const PictureOptions& picture) const {
     if (picture.background) return linear_from_srgb(*picture.background);
     if (const NamedPalette* named = named_palette()) return linear_from_srgb(named->background);

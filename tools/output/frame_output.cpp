@@ -31,23 +31,35 @@ std::string lower_ending(const fs::path& path) {
     return ending;
 }
 
+bool is_film(const fs::path& output) {
+    const std::string ending = lower_ending(output);
+    std::error_code ignored;
+    return (ending == ".apng" || is_film_ending(ending)) && !fs::is_directory(output, ignored);
+}
+
 }  // namespace
 
 std::unique_ptr<FrameSink> make_frame_sink(const fs::path& output,
                                            const FrameSinkOptions& options) {
     const std::string ending = lower_ending(output);
     std::error_code ignored;
-    const bool is_folder = fs::is_directory(output, ignored);
-    if (!is_folder && ending == ".apng") return std::make_unique<ApngFile>(output, options);
-    if (!is_folder && is_film_ending(ending))
+    if (is_film(output)) {
+        if (ending == ".apng") return std::make_unique<ApngFile>(output, options);
         return std::make_unique<FilmFile>(output, ending, options);
-    if (!is_folder && (output == k_standard_output ||
-                       std::ranges::find(k_other_files, ending) != k_other_files.end()))
+    }
+    if (!fs::is_directory(output, ignored) &&
+        (output == k_standard_output ||
+         std::ranges::find(k_other_files, ending) != k_other_files.end()))
         throw UsageError(
             "-o: expected a folder, or a name that ends in .apng, .mp4, .gif or "
             ".webm, not '" +
             output.string() + "'");
     return std::make_unique<FrameSequence>(output, options.frame_count, options.finish);
+}
+
+void check_fps(const CLI::Option& fps, const fs::path& output) {
+    if (fps.count() > 0 && !is_film(output))
+        throw UsageError("--fps: belongs to a film; a folder has pictures alone");
 }
 
 }  // namespace rimline::tools

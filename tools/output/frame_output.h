@@ -2,6 +2,7 @@
 
 // The kind of output that the name of an animation asks for.
 
+#include <CLI/Option.hpp>
 #include <filesystem>
 #include <memory>
 
@@ -14,5 +15,8 @@ namespace rimline::tools {
 /// transparent pictures in .mp4; Error{io} if the output cannot be written, or if ffmpeg is not installed.
 std::unique_ptr<FrameSink> make_frame_sink(const std::filesystem::path& output,
                                            const FrameSinkOptions& options);
+
+/// Throws UsageError if the option --fps was given and make_frame_sink() would make no film, but pictures in a folder.
+void check_fps(const CLI::Option& fps, const std::filesystem::path& output);
 
 }  // namespace rimline::tools

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "silhouette/lines/line_drawer.h"
 #include "silhouette/mesh/brute_force.h"
@@ -18,26 +20,65 @@ constexpr Color k_slice_paper{255, 255, 255};
 constexpr Color k_slice_ink{30, 30, 30};
 constexpr Color k_slice_outside{232, 232, 232};
 
-// The places of a plot's parts, in pixels.
-struct SliceLayout {
-    int scale, left, top, side;
+// The round numbers along an axis.
+struct AxisNumbers {
+    std::vector<double> values;
+    std::vector<std::string> texts;
 
-    explicit SliceLayout(int resolution)
+    AxisNumbers(double low, double high) {
+        if (!(high > low)) {
+            values = {low};
+            texts = {short_number(low, std::abs(low) / 100.0)};
+            return;
+        }
+        values = round_ticks(low, high, 6);
+        for (const double value : values)
+            texts.push_back(short_number(value, round_step(high - low, 6)));
+    }
+    int width(int scale) const {
+        int widest = 0;
+        for (const std::string& text : texts)
+            widest = std::max(widest, Canvas::text_width(text, scale));
+        return widest;
+    }
+};
+
+struct SliceNumbers {
+    AxisNumbers right, up, bar;
+
+    static AxisNumbers along(const SlicePicture& slice, int axis) {
+        const double reach = slice.grid.extent() * slice.frame.radius;
+        return {slice.frame.center[axis] - reach, slice.frame.center[axis] + reach};
+    }
+    SliceNumbers(const SlicePicture& slice, double least, double greatest)
+        : right(along(slice, slice.grid.right())),
+          up(along(slice, slice.grid.up())),
+          bar(least, greatest) {}
+};
+
+// The places of a plot's parts, in pixels. Numbers have room, however long.
+struct SliceLayout {
+    int scale, left, top, side, right_margin;
+
+    SliceLayout(int resolution, const SliceNumbers& numbers)
         : scale(std::max(1, resolution / 256)),
-          left(44 * scale),
+          left(std::max({44 * scale, numbers.up.width(scale) + 8 * scale,
+                         numbers.right.width(scale) / 2 + scale})),
           top(20 * scale),
-          side(resolution) {}
+          side(resolution),
+          right_margin(std::max(60 * scale, numbers.bar.width(scale) + 8 * scale)) {}
     int bar_left() const { return left + side + 14 * scale; }
     int bar_width() const { return 14 * scale; }
-    int width() const { return bar_left() + bar_width() + 60 * scale; }
+    int width() const { return bar_left() + bar_width() + right_margin; }
     int height() const { return top + side + 26 * scale; }
 };
 
 // The plot of a slice: model coordinates to pixels.
 class SlicePlot {
 public:
-    SlicePlot(Canvas& canvas, const SlicePicture& slice, const SliceLayout& layout)
-        : canvas_(canvas), slice_(slice), layout_(layout) {}
+    SlicePlot(Canvas& canvas, const SlicePicture& slice, const SliceNumbers& numbers,
+              const SliceLayout& layout)
+        : canvas_(canvas), slice_(slice), numbers_(numbers), layout_(layout) {}
 
     double pixels_per_unit() const {
         return layout_.side / (2.0 * slice_.grid.extent() * slice_.frame.radius);
@@ -65,55 +106,60 @@ public:
             canvas_.fill(left, layout_.top + row, bar, 1,
                          viridis_color(1.0 - (row + 0.5) / layout_.side));
         canvas_.write(left, layout_.top - 12 * scale, slice_.unit, k_slice_ink, scale);
-        const auto mark = [&](double share, const std::string& text) {
+        const double range = greatest > least ? greatest - least : 1.0;
+        int free_above = layout_.top + layout_.side + line_height();
+        for (std::size_t i = 0; i < numbers_.bar.values.size(); ++i) {
+            const double share = (numbers_.bar.values[i] - least) / range;
             const int y =
                 layout_.top + static_cast<int>(std::lround((1.0 - share) * (layout_.side - scale)));
             canvas_.fill(left + bar, y, 3 * scale, scale, k_slice_ink);
-            canvas_.write(left + bar + 5 * scale, y - 3 * scale, text, k_slice_ink, scale);
-        };
-        if (!(greatest > least)) {
-            mark(0.0, short_number(least, std::abs(least) / 100.0));
-            return;
+            if (y > free_above) continue;
+            canvas_.write(left + bar + 5 * scale, y - 3 * scale, numbers_.bar.texts[i], k_slice_ink,
+                          scale);
+            free_above = y - line_height();
         }
-        const double step = round_step(greatest - least, 6);
-        for (const double value : round_ticks(least, greatest, 6))
-            mark((value - least) / (greatest - least), short_number(value, step));
     }
 
     void draw_axes() {
         const int scale = layout_.scale;
         const int bottom = layout_.top + layout_.side;
-        const double reach = slice_.grid.extent() * slice_.frame.radius;
-        const double step = round_step(2.0 * reach, 6);
-        const glm::dvec3& center = slice_.frame.center;
-        for (const int axis : {slice_.grid.right(), slice_.grid.up()})
-            for (const double tick : round_ticks(center[axis] - reach, center[axis] + reach, 6)) {
-                glm::dvec3 at = center;
-                at[axis] = tick;
-                const glm::dvec2 p = to_pixels(at);
-                const std::string number = short_number(tick, step);
-                const int width = Canvas::text_width(number, scale);
-                if (axis == slice_.grid.right()) {
-                    const int x = static_cast<int>(p.x);
-                    canvas_.fill(x, bottom, scale, 3 * scale, k_slice_ink);
-                    // The axis's name is at the end.
-                    if (x + width / 2 < layout_.left + layout_.side - 8 * scale)
-                        canvas_.write(x - width / 2, bottom + 6 * scale, number, k_slice_ink,
-                                      scale);
-                } else {
-                    const int y = static_cast<int>(p.y);
-                    canvas_.fill(layout_.left - 3 * scale, y, 3 * scale, scale, k_slice_ink);
-                    if (y > layout_.top + 12 * scale)
-                        canvas_.write(layout_.left - 5 * scale - width, y - 3 * scale, number,
-                                      k_slice_ink, scale);
-                }
-            }
+        const auto place_of = [&](int axis, double value) {
+            glm::dvec3 at = slice_.frame.center;
+            at[axis] = value;
+            return to_pixels(at);
+        };
+        // Numbers that would lie over the one before, or over the name at the axis's end, are left out.
+        int free_right = 0;
+        for (std::size_t i = 0; i < numbers_.right.values.size(); ++i) {
+            const std::string& number = numbers_.right.texts[i];
+            const int width = Canvas::text_width(number, scale);
+            const int x =
+                static_cast<int>(place_of(slice_.grid.right(), numbers_.right.values[i]).x);
+            canvas_.fill(x, bottom, scale, 3 * scale, k_slice_ink);
+            if (x - width / 2 < free_right ||
+                x + width / 2 >= layout_.left + layout_.side - 8 * scale)
+                continue;
+            canvas_.write(x - width / 2, bottom + 6 * scale, number, k_slice_ink, scale);
+            free_right = x + width / 2 + 6 * scale;
+        }
+        int free_above = bottom + line_height();
+        for (std::size_t i = 0; i < numbers_.up.values.size(); ++i) {
+            const std::string& number = numbers_.up.texts[i];
+            const int y = static_cast<int>(place_of(slice_.grid.up(), numbers_.up.values[i]).y);
+            canvas_.fill(layout_.left - 3 * scale, y, 3 * scale, scale, k_slice_ink);
+            if (y > free_above || y <= layout_.top + 12 * scale) continue;
+            canvas_.write(layout_.left - 5 * scale - Canvas::text_width(number, scale),
+                          y - 3 * scale, number, k_slice_ink, scale);
+            free_above = y - line_height();
+        }
         canvas_.write(layout_.left + layout_.side - 5 * scale, bottom + 6 * scale,
                       axis_name(slice_.grid.right()), k_slice_ink, scale);
         canvas_.write(layout_.left - 11 * scale, layout_.top, axis_name(slice_.grid.up()),
                       k_slice_ink, scale);
         canvas_.fill(layout_.left - scale, layout_.top, scale, layout_.side + scale, k_slice_ink);
         canvas_.fill(layout_.left - scale, bottom, layout_.side + scale, scale, k_slice_ink);
+        // Its number has no room in smaller plots.
+        if (layout_.side < 64 * scale) return;
         draw_scale_bar(canvas_, layout_.left + 5 * scale, bottom - 5 * scale, layout_.side / 5,
                        pixels_per_unit(), "", k_slice_ink, scale);
     }
@@ -180,6 +226,7 @@ public:
     }
 
 private:
+    int line_height() const { return Canvas::text_height(layout_.scale) + 3 * layout_.scale; }
     static std::string axis_name(int axis) { return std::string(1, static_cast<char>('x' + axis)); }
 
     // Lines are dark, and so are low values.
@@ -197,6 +244,7 @@ private:
 
     Canvas& canvas_;
     const SlicePicture& slice_;
+    const SliceNumbers& numbers_;
     const SliceLayout& layout_;
 };
 
@@ -243,11 +291,12 @@ std::vector<std::array<glm::dvec3, 2>> cut_segments(const Mesh& mesh, int axis, 
 
 Canvas draw_slice(const SlicePicture& slice, const LongCall& call) {
     RIMLINE_CHECK(!slice.values.empty() && slice.values.size() == slice.grid.points().size());
-    const SliceLayout layout(slice.grid.side());
+    const auto [least, greatest] = std::ranges::minmax(slice.values);
+    const SliceNumbers numbers(slice, least, greatest);
+    const SliceLayout layout(slice.grid.side(), numbers);
     Canvas canvas(static_cast<std::uint32_t>(layout.width()),
                   static_cast<std::uint32_t>(layout.height()), k_slice_paper);
-    const auto [least, greatest] = std::ranges::minmax(slice.values);
-    SlicePlot plot(canvas, slice, layout);
+    SlicePlot plot(canvas, slice, numbers, layout);
     plot.draw_values(least, greatest > least ? greatest - least : 1.0);
     plot.draw_model_lines(call);
     plot.draw_cut();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/bindings/bound_mesh.h"
+
 namespace rimline::python {
 
 namespace py = pybind11;
@@ -24,6 +26,8 @@ std::string shape_text(const py::array& array) {
 
 // An N x 3 array of numbers, in the machine's order of bytes.
 py::array three_columns(py::handle value, const char* name) {
+    if (py::hasattr(value, "mask") && py::hasattr(value, "filled"))
+        throw_type(name, "expected an array without a mask");
     const py::array array = py::array::ensure(value);
     if (!array) {
         PyErr_Clear();
@@ -149,12 +153,13 @@ std::string word_of(py::handle value, const char* name) {
 glm::dvec3 vector_of(py::handle value, const char* name) {
     glm::dvec3 vector;
     const py::object sequence =
-        PyUnicode_Check(value.ptr()) != 0 || PyBytes_Check(value.ptr()) != 0
+        PyUnicode_Check(value.ptr()) != 0 || PyBytes_Check(value.ptr()) != 0 ||
+                PyAnySet_Check(value.ptr()) || PyDict_Check(value.ptr())  // These have no order.
             ? py::object()
             : py::reinterpret_steal<py::object>(PySequence_Fast(value.ptr(), ""));
     if (!sequence) {
         PyErr_Clear();
-        throw_type(name, "expected three numbers");
+        throw_type(name, "three numbers", value);
     }
     if (PySequence_Fast_GET_SIZE(sequence.ptr()) != 3)
         throw py::value_error(std::string(name) + ": expected three numbers, not " +
@@ -170,11 +175,7 @@ glm::dvec3 vector_of(py::handle value, const char* name) {
 }
 
 glm::dvec3 direction_of(py::handle value, const char* name) {
-    glm::dvec3 direction = vector_of(value, name);
-    const double largest =
-        std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
-    // A small one would lose components, which count as zero below k_min_point_component.
-    if (largest > 0.0 && largest < 0x1p-20) direction *= std::exp2(-std::ilogb(largest));
+    const glm::dvec3 direction = tools::long_direction(vector_of(value, name));
     if (HomogeneousPoint::direction(glm::vec3(direction)).xyz() == glm::vec3(0.0f))
         throw py::value_error(std::string(name) + ": expected a direction, which is not zero");
     return direction;

@@ -2,7 +2,9 @@
 
 #include <CLI/App.hpp>
 #include <array>
+#include <cerrno>
 #include <string>
+#include <system_error>
 
 #include "silhouette/error.h"
 #include "tools/command.h"
@@ -17,6 +19,8 @@ namespace {
 // By ErrorCode. Owned by the module, which is never unloaded.
 std::array<PyObject*, 6> g_exceptions{};
 
+constexpr int k_system_errors = 134;  // Of Linux.
+
 PyObject* make_exception(py::module_& module, const char* name, const py::tuple& bases,
                          const char* what) {
     PyObject* exception = PyErr_NewExceptionWithDoc((std::string("rimline.") + name).c_str(), what,
@@ -28,6 +32,25 @@ PyObject* make_exception(py::module_& module, const char* name, const py::tuple&
 
 void raise(PyObject* exception, std::string_view message) {
     PyErr_SetObject(exception, message_text(message).ptr());
+}
+
+PyObject* g_missing_file = nullptr;
+
+// The number of the system's error that the message ends with; 0: none.
+int system_error_in(std::string_view message) {
+    for (int number = 1; number < k_system_errors; ++number)
+        if (message.ends_with(": " + std::generic_category().message(number))) return number;
+    return 0;
+}
+
+// With `errno`, and as FileNotFoundError too where that is meant.
+void raise_file_error(std::string_view message) {
+    const int number = system_error_in(message);
+    PyObject* const exception =
+        number == ENOENT ? g_missing_file : g_exceptions[std::size_t(ErrorCode::io)];
+    py::object error = py::reinterpret_borrow<py::object>(exception)(message_text(message));
+    if (number != 0) error.attr("errno") = number;
+    PyErr_SetObject(exception, error.ptr());
 }
 
 }  // namespace
@@ -53,7 +76,13 @@ void bind_errors(py::module_& module) {
         "No Vulkan device is suitable. The message lists what each device lacks.");
     add(ErrorCode::device_lost, "DeviceLostError", PyExc_RuntimeError, "The GPU stopped.");
     add(ErrorCode::io, "FileError", PyExc_OSError,
-        "The system could not read or write. The message names the path.");
+        "The system could not read or write. The message names the path; errno is the system's, "
+        "if known.");
+    g_missing_file =
+        make_exception(module, "MissingFileError",
+                       py::make_tuple(py::handle(g_exceptions[std::size_t(ErrorCode::io)]),
+                                      py::handle(PyExc_FileNotFoundError)),
+                       "A file or folder is not there.");
     add(ErrorCode::too_large, "TooLargeError", PyExc_ValueError,
         "A limit of the machine or of a format is exceeded. The message names it.");
     add(ErrorCode::cancelled, "CancelledError", PyExc_RuntimeError,
@@ -62,6 +91,7 @@ void bind_errors(py::module_& module) {
         try {
             if (failure) std::rethrow_exception(failure);
         } catch (const Error& error) {
+            if (error.code() == ErrorCode::io) return raise_file_error(error.what());
             raise(g_exceptions[static_cast<std::size_t>(error.code())], error.what());
         } catch (const CLI::ValidationError& error) {  // Of the name of a built-in shape.
             const std::string message = error.what();

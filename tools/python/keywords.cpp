@@ -53,6 +53,10 @@ struct Words {
     std::vector<std::pair<std::string, py::object>> written;
 
     void add(const std::string& keyword, const std::string& text, const py::handle& value) {
+        // The next word would be taken for the value.
+        if (text.empty())
+            throw py::value_error(keyword + ": expected a value, not " +
+                                  py::repr(value).cast<std::string>());
         words.push_back(option_name(keyword) + "=" + text);
         written.emplace_back(text, py::reinterpret_borrow<py::object>(value));
     }

@@ -114,6 +114,12 @@ void save(const BoundDrawing& drawing, const py::object& path) {
     file.commit();
 }
 
+// A file's text, without Python's lock.
+std::string text_of(std::string (*write)(const tools::PageDrawing&), const BoundDrawing& drawing) {
+    const py::gil_scoped_release unlocked;
+    return write(drawing.page);
+}
+
 }  // namespace
 
 void bind_lines(py::module_& module) {
@@ -174,17 +180,18 @@ void bind_lines(py::module_& module) {
             "report", [](const BoundDrawing& d) { return report_of(d.drawing); },
             "What was done, and the checks of the result.")
         .def(
-            "to_svg", [](const BoundDrawing& d) { return tools::drawing_svg(d.page); },
+            "to_svg", [](const BoundDrawing& d) { return text_of(tools::drawing_svg, d); },
             "The text of an SVG file.")
         .def(
-            "to_pdf", [](const BoundDrawing& d) { return py::bytes(tools::drawing_pdf(d.page)); },
+            "to_pdf",
+            [](const BoundDrawing& d) { return py::bytes(text_of(tools::drawing_pdf, d)); },
             "The bytes of a PDF file.")
         .def(
-            "to_dxf", [](const BoundDrawing& d) { return tools::drawing_dxf(d.page); },
+            "to_dxf", [](const BoundDrawing& d) { return text_of(tools::drawing_dxf, d); },
             "The text of a DXF file.")
         .def("save", &save, py::arg("path"),
              "Writes an .svg, .pdf or .dxf file, whole or not at all.")
-        .def("_repr_svg_", [](const BoundDrawing& d) { return tools::drawing_svg(d.page); })
+        .def("_repr_svg_", [](const BoundDrawing& d) { return text_of(tools::drawing_svg, d); })
         .def("__repr__", [](const BoundDrawing& d) {
             return "<rimline.LineDrawing of " + std::to_string(d.page.lines.size()) + " lines>";
         });

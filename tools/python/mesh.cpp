@@ -25,6 +25,11 @@ struct PythonSilhouette {
     const Mesh& library_mesh() const { return mesh->mesh(); }
 };
 
+void warn(const std::string& warning) {
+    if (PyErr_WarnFormat(PyExc_UserWarning, 1, "%U", message_text(warning).ptr()) != 0)
+        throw py::error_already_set();
+}
+
 SharedMesh mesh_of_arrays(const py::object& vertices, const py::object& faces, const py::object& up,
                           const py::object& weld, const py::object& progress) {
     const Welding welding = flag_of(weld, "weld") ? Welding::equal_positions : Welding::none;
@@ -36,9 +41,12 @@ SharedMesh mesh_of_arrays(const py::object& vertices, const py::object& faces, c
         source.up = axis == "z" ? UpAxis::z : UpAxis::y;
         source.is_up_known = true;
     }
-    return long_result(progress, [&](const LongCall& call) {
+    SharedMesh mesh = long_result(progress, [&](const LongCall& call) {
         return std::make_shared<BoundMesh>("the mesh", std::move(source), welding, call);
     });
+    const std::string warning = mesh->lost_shape_warning();
+    if (!warning.empty()) warn(warning);
+    return mesh;
 }
 
 SharedMesh load(const py::object& path, const py::object& subdivide, const py::object& textures,
@@ -50,9 +58,7 @@ SharedMesh load(const py::object& path, const py::object& subdivide, const py::o
     SharedMesh mesh = long_result(progress, [&](const LongCall& call) {
         return tools::load_bound_mesh(name, steps, reads_textures, warnings, call);
     });
-    for (const std::string& warning : warnings)
-        if (PyErr_WarnFormat(PyExc_UserWarning, 1, "%U", message_text(warning).ptr()) != 0)
-            throw py::error_already_set();
+    for (const std::string& warning : warnings) warn(warning);
     return mesh;
 }
 
@@ -182,7 +188,9 @@ void bind_mesh(py::module_& module) {
              "up: 'y' or 'z' where it is known. weld: equal positions are one vertex; without, "
              "faces that only touch share no edge. progress: None, True (a bar of tqdm), a bar, or "
              "a function that takes the finished share.\n\n"
-             "Raises ValueError or TypeError naming the first wrong row.")
+             "Raises ValueError or TypeError naming the first wrong row. Warns of a mesh so far "
+             "from "
+             "the origin that float32 loses its shape.")
         .def_property_readonly(
             "vertices",
             [](const py::object& self) {

@@ -32,6 +32,20 @@ MeshSource read_format(const KnownFile& known, BadPoints bad, const LongCall& ca
 
 }  // namespace
 
+std::string lost_shape_warning(const std::string& name, std::span<const glm::vec3> positions) {
+    if (positions.empty()) return {};
+    glm::dvec3 low(positions.front()), high(low);
+    for (const glm::vec3& position : positions) {
+        low = glm::min(low, glm::dvec3(position));
+        high = glm::max(high, glm::dvec3(position));
+    }
+    const double extent = glm::length(high - low);
+    if (!(extent > 0.0) || !floats_lose_shape(extent, glm::length(0.5 * (low + high)))) return {};
+    return name +
+           ": lies so far from the origin that single precision loses its shape; subtract an "
+           "offset from its coordinates";
+}
+
 MeshSource read_mesh(const KnownFile& known, BadPoints bad, const LongCall& call) {
     MeshSource source = read_format(known, bad, call);
     for (const MaterialTexture& texture : source.materials.textures)
@@ -40,20 +54,6 @@ MeshSource read_mesh(const KnownFile& known, BadPoints bad, const LongCall& call
 }
 
 namespace {
-
-void warn_of_lost_shape(const SourceFile& file, MeshSource& source) {
-    glm::dvec3 low(source.positions.front()), high(low);
-    for (const glm::vec3& position : source.positions) {
-        low = glm::min(low, glm::dvec3(position));
-        high = glm::max(high, glm::dvec3(position));
-    }
-    const double extent = glm::length(high - low);
-    if (extent > 0.0 && floats_lose_shape(extent, glm::length(0.5 * (low + high))))
-        add_warning(source.warnings,
-                    file.name +
-                        ": lies so far from the origin that single precision loses "
-                        "its shape; subtract an offset from its coordinates");
-}
 
 MeshSource checked_mesh(const KnownFile& known, FaceRequirement requirement, const LongCall& call) {
     const SourceFile& file = known.file;
@@ -66,7 +66,10 @@ MeshSource checked_mesh(const KnownFile& known, FaceRequirement requirement, con
                                 "; a model with faces is needed");
     if (source.positions.empty()) bad_file(file.name, "no points: there is nothing in it");
     drop_unused_materials(source);
-    if (!source.triangles.empty()) warn_of_lost_shape(file, source);
+    if (!source.triangles.empty()) {
+        const std::string warning = lost_shape_warning(file.name, source.positions);
+        if (!warning.empty()) add_warning(source.warnings, warning);
+    }
     call.checkpoint(1.0);
     return source;
 }

@@ -54,7 +54,7 @@ std::string refusal(std::uint64_t number, const glm::dvec3& position, BadPoints 
     return "point " + std::to_string(number) + text +
            (is_finite(position)
                 ? ", beyond 2^60 in size: scale the cloud down, or take out points without a value"
-                : "; only finite points can be used, others can be dropped");
+                : "; only finite points can be used (rimline points --drop-bad leaves out others)");
 }
 
 std::uint8_t color_byte(float value) noexcept {

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -133,6 +134,75 @@ TEST_CASE("arrays become a mesh, and wrong ones an error that names the place") 
     rimline_mesh_free(mesh);
 }
 
+TEST_CASE("a direction is one however short") {
+    rimline_mesh* mesh = nullptr;
+    REQUIRE(rimline_mesh_load("shape:knot:2000", nullptr, &mesh, nullptr) == RIMLINE_OK);
+    const auto edges_of = [&](double length) {
+        const rimline_point point{length, 0.8 * length, 0.0, 1};
+        rimline_bytes* edges = nullptr;
+        REQUIRE(rimline_mesh_silhouette(mesh, &point, &edges, nullptr) == RIMLINE_OK);
+        const std::string found(static_cast<const char*>(rimline_bytes_data(edges)),
+                                rimline_bytes_size(edges));
+        rimline_bytes_free(edges);
+        return found;
+    };
+    for (const int power : {-10, -60, -62, -100, -300})
+        CHECK(edges_of(std::ldexp(1.0, power)) == edges_of(1.0));
+    rimline_mesh_free(mesh);
+}
+
+TEST_CASE("a mesh says what was lost") {
+    rimline_mesh* mesh = nullptr;
+    REQUIRE(rimline_mesh_load("shape:box", nullptr, &mesh, nullptr) == RIMLINE_OK);
+    CHECK(rimline_mesh_warning(mesh, 0) == nullptr);
+    CHECK(rimline_mesh_warning(nullptr, 0) == nullptr);
+    rimline_mesh_free(mesh);
+    const float far = 5411000.0f;
+    const float positions[] = {far, 0, 0, far + 1, 0, 0, far, 1, 0};
+    const std::uint32_t corners[] = {0, 1, 2};
+    REQUIRE(rimline_mesh_create(positions, 3, corners, 1, nullptr, &mesh, nullptr) == RIMLINE_OK);
+    const char* const warning = rimline_mesh_warning(mesh, 0);
+    REQUIRE(warning != nullptr);
+    CHECK(std::string(warning).find("single precision loses its shape") != std::string::npos);
+    CHECK(rimline_mesh_warning(mesh, 1) == nullptr);
+    rimline_mesh_free(mesh);
+}
+
+TEST_CASE("a call that waits for the turn of another can be ended") {
+    rimline_mesh* mesh = nullptr;
+    REQUIRE(rimline_mesh_load("shape:knot:20000", nullptr, &mesh, nullptr) == RIMLINE_OK);
+    rimline_drawer* drawer = nullptr;
+    REQUIRE(rimline_drawer_create(mesh, nullptr, &drawer, nullptr) == RIMLINE_OK);
+    struct Shared {
+        std::atomic<bool> is_drawing = false, goes_on = false;
+    } shared;
+    // The first call holds the drawer until it may go on.
+    std::thread first([&] {
+        const rimline_call call{sizeof call,
+                                [](double, void* user) {
+                                    auto& s = *static_cast<Shared*>(user);
+                                    s.is_drawing = true;
+                                    while (!s.goes_on) std::this_thread::yield();
+                                    return 0;
+                                },
+                                &shared};
+        rimline_drawing* drawing = nullptr;
+        CHECK(rimline_drawer_draw(drawer, nullptr, 0, &call, &drawing, nullptr) == RIMLINE_OK);
+        rimline_drawing_free(drawing);
+    });
+    while (!shared.is_drawing) std::this_thread::yield();
+    const rimline_call ended{sizeof ended, [](double, void*) { return 1; }, nullptr};
+    rimline_drawing* none = nullptr;
+    CHECK(failing([&](rimline_error** e) {
+              return rimline_drawer_draw(drawer, nullptr, 0, &ended, &none, e);
+          }) == RIMLINE_CANCELLED);
+    CHECK_FALSE(shared.goes_on);
+    shared.goes_on = true;
+    first.join();
+    rimline_drawer_free(drawer);
+    rimline_mesh_free(mesh);
+}
+
 TEST_CASE("null handles and wrong arguments are errors, never crashes") {
     rimline_mesh* mesh = load("shape:box");
     rimline_mesh* other = nullptr;
@@ -202,11 +272,19 @@ TEST_CASE("null handles and wrong arguments are errors, never crashes") {
 
     REQUIRE(rimline_drawer_create(mesh, nullptr, &drawer, nullptr) == RIMLINE_OK);
     const std::vector<rimline_option> bad{
-        {"no-such-option", "1"}, {"hidden", "sometimes"}, {"eye", "1,2"},   {"hidden", nullptr},
-        {nullptr, nullptr},      {"help", nullptr},       {"scale", "1:2"}, {"eye", "0,0,0"}};
+        {"no-such-option", "1"}, {"hidden", "sometimes"}, {"eye", "1,2"},
+        {"hidden", nullptr},     {nullptr, nullptr},      {"help", nullptr},
+        {"scale", "1:2"},        {"eye", "0,0,0"},        {"hidden", ""}};
     for (const rimline_option& option : bad)
         wrong(
             [&](auto e) { return rimline_drawer_draw(drawer, &option, 1, nullptr, &drawing, e); });
+    // An option without a value does not take the next one for it.
+    const rimline_option no_value[] = {{"eye", nullptr}, {"fov", "40"}};
+    rimline_error* without = nullptr;
+    CHECK(rimline_drawer_draw(drawer, no_value, 2, nullptr, &drawing, &without) ==
+          RIMLINE_BAD_ARGUMENT);
+    CHECK(std::string(rimline_error_message(without)) == "options: eye needs a value");
+    rimline_error_free(without);
     wrong([&](auto e) { return rimline_drawer_draw(drawer, nullptr, 1, nullptr, &drawing, e); });
     REQUIRE(rimline_drawer_draw(drawer, nullptr, 0, nullptr, &drawing, nullptr) == RIMLINE_OK);
     REQUIRE(rimline_drawing_page(drawing, nullptr, nullptr, &count, nullptr) == RIMLINE_OK);

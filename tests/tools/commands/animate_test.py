@@ -275,6 +275,17 @@ def test_a_film_that_cannot_be_made_is_refused_before_the_work():
         assert os.listdir(folder) == []
 
 
+def test_animations_refuse_what_has_no_effect_or_no_view():
+    with tempfile.TemporaryDirectory() as folder:
+        box = ("shape:box:12", "-o", os.path.join(folder, "a"), "--frames", "2")
+        for command in ("animate", "path"):
+            assert "--fps: belongs to a film" in fail(2, command, *box, "--fps", "3")
+        assert "--radius: the camera looks at the center" in fail(2, "animate", *box, "--radius", "0")
+        assert "not 'orbt'; did you mean 'orbit'?" in fail(2, "animate", *box, "--path", "orbt")
+        assert "absent.txt: cannot open it" in fail(1, "animate", *box, "--path", os.path.join(folder, "absent.txt"))
+        assert os.listdir(folder) == []
+
+
 def test_frames_of_an_older_run_are_not_left_among_new_ones():
     have_device()
     with tempfile.TemporaryDirectory() as folder:

@@ -474,6 +474,7 @@ def test_wrong_drawings_are_told_in_plain_words():
         assert "--hidden-by: needs --hidden" in fail(2, *box, "--hidden-by", "2")
         assert "--hidden-width: needs --hidden" in fail(2, *box, "--hidden-width", "0.2")
         assert "--curve: only drawings in SVG and PDF" in fail(2, "draw", "shape:box", "--curve", "1", "-o", "a.dxf")
+        assert "--width: only drawings in SVG and PDF" in fail(2, "draw", "shape:box", "--width", "1", "-o", "a.json")
         assert "--as: needs -o -" in fail(2, *box, "--as", "pdf")
         assert "--eye and --target are the same point" in fail(2, *box, "--eye", "1,2,3", "--target", "1,2,3")
         for page in ("nan", "xx", "1e9x5", "10x", "fits"):

@@ -383,6 +383,37 @@ def test_render_draws_outlines_of_pixels_for_comparison():
         assert not os.path.exists(output)
 
 
+def test_options_of_lines_are_refused_where_there_are_none():
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+        for option in ("--line-width=3", "--line-color=red", "--line-color=material", "--crease=40", "--hidden",
+                       "--intersections=on", "--min-length=3"):
+            name = option.split("=")[0]
+            box = ("render", "shape:box:12", "-o", output, option)
+            assert f"{name}: --lines off draws no lines" in fail(2, *box, "--lines", "off")
+            if option != "--line-color=red":
+                assert f"{name}: the style mask draws lines with --lines on alone" in fail(2, *box, "--style", "mask")
+        assert os.listdir(folder) == []
+
+
+def test_a_picture_without_the_model_is_warned_of():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+
+        def warnings(*camera):
+            result = run("render", "shape:box:12", "-o", output, "--size", "64x48", "--json", *camera)
+            assert result.returncode == 0, result.stderr
+            return result.stderr
+
+        words = "rimline: warning: shape:box:12: none of it is in the picture\n"
+        assert warnings("--eye", "0,0,100", "--target", "0,0,200") == words
+        assert warnings("--eye", "0,0,100", "--target", "0,90,0") == words
+        assert warnings("--eye", "0,0,10", "--target=30,0,0", "--ortho", "8") == words
+        assert warnings("--eye", "0,0,10", "--target=-4,0,0", "--ortho", "8") == ""
+        assert warnings("--eye", "0,0,0", "--target", "1,0,0") == ""  # Within the box.
+
+
 def write_colored_cube(folder, library):
     """A cube whose front is red, back green and other sides blue, in folder/cube.obj."""
     path = os.path.join(folder, "cube.obj")

@@ -25,6 +25,9 @@ TEST_CASE("numbers have the digits that tell ticks apart") {
     CHECK(short_number(-0.25, 0.05) == "-0.25");
     CHECK(short_number(64000.0, 2000.0) == "64000");
     CHECK(short_number(2e-7, 1e-7) == "2e-07");
+    CHECK(short_number(1.0000002, 1e-7) == "1.0000002");
+    CHECK(short_number(4.5e9, 1e6) == "4.5e+09");
+    CHECK(short_number(4.5e9 + 2e6, 1e6) == "4.502e+09");
     CHECK(short_number(3.0, 0.5) == "3.0");
 }
 

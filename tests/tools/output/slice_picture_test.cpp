@@ -113,3 +113,52 @@ TEST_CASE("a field of one value has it beside the color that all points have") {
     CHECK(drawn(1.25).rgba != drawn(2.25).rgba);
     CHECK(drawn(1.25).rgba == drawn(1.25).rgba);
 }
+
+TEST_CASE("numbers of a slice have room") {
+    // Columns and rows beside the plot with ink are those of numbers; none reach the picture's border or each other.
+    for (const float shift : {0.0f, 4'000.0f, -9'000'000.0f})
+        for (const int side : {16, 40, 200, 600}) {
+            CAPTURE(shift);
+            CAPTURE(side);
+            MeshSource source = make_built_in_shape("box", 12);
+            for (glm::vec3& p : source.positions) p = 0.5f * p + glm::vec3(shift, shift, 0.0f);
+            const Mesh mesh(source);
+            const SliceGrid grid(2, 0.0, 0.0, 2.0, side);
+            std::vector<double> values;
+            for (std::size_t i = 0; i < grid.points().size(); ++i)
+                values.push_back(double(i) * (1.0 + std::abs(double(shift))));
+            const Canvas canvas = draw_slice({mesh, unit_frame(mesh), grid, values, "", ""});
+            const int width = static_cast<int>(canvas.width()),
+                      height = static_cast<int>(canvas.height());
+            const auto is_dark = [&](int x, int y) {
+                return canvas.picture()
+                           .rgba[4 * (std::size_t(y) * canvas.width() + std::size_t(x))] < 100;
+            };
+            const int scale = std::max(1, side / 256);
+            int left = 0;  // Of the plot: its vertical axis is the longest dark column.
+            for (int x = 0, longest = 0; x < width; ++x) {
+                int count = 0;
+                for (int y = 0; y < height; ++y) count += is_dark(x, y);
+                if (count > longest) {
+                    longest = count;
+                    left = x;
+                }
+            }
+            for (int y = 0; y < height; ++y) {
+                CHECK_FALSE(is_dark(0, y));
+                CHECK_FALSE(is_dark(width - 1, y));
+            }
+            // Each line of text is seven pixels high, and three pixels are between two.
+            const auto check_lines = [&](int first, int last) {
+                int run = 0;
+                for (int y = 0; y < height; ++y) {
+                    bool has_ink = false;
+                    for (int x = first; x < last; ++x) has_ink = has_ink || is_dark(x, y);
+                    run = has_ink ? run + 1 : 0;
+                    CHECK(run <= 8 * scale);
+                }
+            };
+            check_lines(0, left - 5 * scale);
+            check_lines(left + side + 34 * scale, width);  // Beside the bar of colors.
+        }
+}

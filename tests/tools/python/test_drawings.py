@@ -106,6 +106,8 @@ def test_chains_keep_their_ids_over_frames(knot):
 
 
 @pytest.mark.parametrize("keywords, error, words", [
+    ({"lines": [], "fov": 40}, ValueError, r"lines: expected a value, not \[\]"),
+    ({"eye": "", "fov": 40}, ValueError, "eye: expected a value, not ''"),
     ({"colour": "red"}, TypeError, "unexpected keyword argument 'colour'"),
     ({"hiden": "dashed"}, TypeError, "did you mean 'hidden'"),
     ({"help": True}, TypeError, "unexpected"),
@@ -140,6 +142,8 @@ def test_files_are_written_whole_or_not_at_all(knot, tmp_path):
         with pytest.raises(ValueError, match=rf"path: expected .* \.svg, \.pdf or \.dxf, not '.*{name}'"):
             drawing.save(tmp_path / name)
     picture = rimline.render(knot, size=(32, 24))
+    with pytest.raises(ValueError, match="path: pictures are saved as .png, not '.*picture.jpg'"):
+        picture.save(tmp_path / "picture.jpg")
     for thing, name in ((drawing, "drawing.svg"), (picture, "picture.png")):
         missing = tmp_path / "missing"
         with pytest.raises(rimline.FileError, match=f"{missing}/{name}: .*there is no folder {missing}"):

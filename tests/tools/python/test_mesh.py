@@ -1,6 +1,7 @@
 """rimline.Mesh: arrays in and out, and silhouettes against numpy."""
 
 import copy
+import errno
 import os
 import pickle
 import subprocess
@@ -103,7 +104,18 @@ def test_wrong_arrays_are_errors_that_name_the_row(vertices, faces, error, words
         rimline.Mesh(vertices, faces)
 
 
-@pytest.mark.parametrize("eye", [None, 3, "abc", (1, 2), (1, 2, 3, 4), ("a", 2, 3), (np.nan, 0, 0), (1e30, 0, 0),
+def test_a_mesh_far_from_the_origin_is_warned_of(knot):
+    with pytest.warns(UserWarning, match="the mesh: lies so far from the origin that single precision loses its shape"):
+        rimline.Mesh(knot.vertices.astype(float) + [448000.25, 5411000.5, 0], knot.faces)
+
+
+def test_arrays_with_a_mask_are_refused():
+    masked = np.ma.array(TRIANGLE, mask=[[0, 0, 1]] * 3, dtype=float)
+    with pytest.raises(TypeError, match="vertices: expected an array without a mask"):
+        rimline.Mesh(masked, FACES)
+
+
+@pytest.mark.parametrize("eye", [None, 3, "abc", {5, 1, 2}, {5: 1, 1: 1, 2: 1}, (1, 2), (1, 2, 3, 4), ("a", 2, 3), (np.nan, 0, 0), (1e30, 0, 0),
                                  np.zeros((1, 3)), np.zeros((3, 3)), b"abc"])
 def test_wrong_points_are_errors(knot, eye):
     with pytest.raises((TypeError, ValueError)):
@@ -180,7 +192,11 @@ def test_files_are_read_and_their_faults_are_errors(tmp_path):
     assert isinstance(caught.value, ValueError) and isinstance(caught.value, rimline.Error)
     with pytest.raises(rimline.FileError) as missing:
         rimline.load(tmp_path / "missing.obj")
-    assert isinstance(missing.value, OSError)
+    assert isinstance(missing.value, FileNotFoundError) and missing.value.errno == errno.ENOENT
+    assert str(missing.value).startswith(str(tmp_path))
+    with pytest.raises(rimline.FileError) as folder:
+        rimline.load(tmp_path)
+    assert not isinstance(folder.value, FileNotFoundError)
     for wrong in ("", "-", 3, None, "shape:nope", "shape:knot:x"):
         with pytest.raises((TypeError, ValueError)):
             rimline.load(wrong)
@@ -229,6 +245,7 @@ WRONG_ARGUMENTS = [
     (lambda: rimline.PointSurface(TRIANGLE, k=-1), ValueError, "k: expected 4 to 32, not -1"),
     (lambda: rimline.PointSurface(TRIANGLE, drop_outliers="no"), TypeError, "drop_outliers: "),
     (lambda: rimline.best_views(BOX, -1, visible=False), ValueError, "count: expected 1 to 64, not -1"),
+    (lambda: rimline.best_views(BOX, 2, visible="no"), TypeError, "visible: expected True or False, not 'no'"),
     (lambda: rimline.best_views(BOX, 2, renderer=3), TypeError, "renderer: expected a rimline.Renderer, not int"),
     (lambda: rimline.best_views(BOX, 2, visible=False, below=3), TypeError, "below: expected a str, not int"),
     (lambda: rimline.best_views(BOX, 2, visible=False, by_area=0), TypeError, "by_area: "),
@@ -328,7 +345,7 @@ if name == "sample":
     path = rimline.camera_path(rimline.load("shape:box"), 3, visible=False)
 elif name == "save":
     picture = np.random.default_rng(1).integers(0, 256, (4000, 4000, 4), dtype=np.uint8).view(rimline.Picture)
-elif name != "load":
+elif name not in ("load", "turn"):
     mesh = rimline.load("shape:knot:1000000")
     vertices, faces = mesh.vertices, mesh.faces
 calls = {
@@ -343,7 +360,12 @@ calls = {
     "render": lambda: rimline.render(mesh),
     "sample": lambda: path.sample(1_000_000),
     "save": lambda: picture.save(os.devnull),
+    "turn": lambda: drawer.draw(eye=(1, 2, 3)),
 }
+if name == "turn":
+    drawer = rimline.LineDrawer(rimline.load("shape:terrain:300000"))
+    threading.Thread(target=lambda: drawer.draw(crease=1), daemon=True).start()
+    time.sleep(0.1)
 call = calls[name]
 sent = []
 
@@ -366,7 +388,7 @@ thread.join()
 
 @pytest.mark.parametrize(("name", "delay_s"), [
     ("load", 0.08), ("mesh", 0.08), ("index", 0.08), ("lines", 0.08), ("field", 0.08), ("views", 0.08),
-    ("light", 0.08), ("points", 0.08), ("sample", 0.08), ("save", 0.04), ("save", 0.6),
+    ("light", 0.08), ("points", 0.08), ("sample", 0.08), ("save", 0.04), ("save", 0.6), ("turn", 0.3),
     ("load", 0.8), ("index", 0.3), ("index", 0.6), ("lines", 0.6), ("field", 0.32), ("light", 0.35),
     ("render", 0.02), ("render", 0.7), ("render", 1.5), ("render", 2.5)])
 def test_ctrl_c_ends_long_calls_at_once(name, delay_s):

@@ -42,6 +42,7 @@ from rimline._rimline import (
     LineDrawer,
     LineDrawing,
     Mesh,
+    MissingFileError,
     NoDeviceError,
     PointSilhouette,
     PointSurface,
@@ -74,6 +75,7 @@ __all__ = [
     "LineDrawer",
     "LineDrawing",
     "Mesh",
+    "MissingFileError",
     "NoDeviceError",
     "Picture",
     "PointSilhouette",
@@ -116,7 +118,11 @@ class Picture(np.ndarray):  # type: ignore[type-arg]
     """An H x W x 4 array of uint8: sRGB and straight alpha, rows from the top."""
 
     def save(self, path: str | bytes | os.PathLike[str] | os.PathLike[bytes]) -> None:
-        """Writes a PNG file, whole or not at all."""
+        """Writes a .png file, whole or not at all."""
+        if isinstance(path, (str, bytes, os.PathLike)):
+            name = os.fsdecode(path)
+            if os.path.splitext(name)[1].lower() not in (".png", ""):
+                raise ValueError(f"path: pictures are saved as .png, not {name!r}")
         _rimline.save_png(self, path)
 
     def _repr_png_(self) -> bytes | None:
@@ -271,6 +277,8 @@ def best_views(
     below: 'less', views from below, from behind and of the ends of long meshes count less; 'full', they do not.
     by_area: planes count by the areas of their faces. count: 1 to 64; there are fewer views where no other shows more.
     """
+    if not isinstance(visible, (bool, np.bool_)):
+        raise TypeError(f"visible: expected True or False, not {visible!r}")
     if visible and renderer is None:
         renderer = _renderer()
     return _rimline._best_views(mesh, count, renderer if visible else None, below, by_area, up, progress)
