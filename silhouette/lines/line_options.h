@@ -18,7 +18,9 @@ struct LineOptions {
     /// If not empty, creases are drawn of those edges alone whose flag is not 0; one flag for each edge.
     std::span<const std::uint8_t> shown_creases{};
     /// Hidden runs between visible ones are visible up to this length, and visible runs that end nearer to each
-    /// other than this and go on in one direction are one stroke. Visible runs stay, however short.
+    /// other than this and go on in one direction are one stroke. So are those of which one begins beside the other,
+    /// no farther from it than this and at most six times this before its end; what runs beside it is left out. Visible
+    /// runs stay, however short.
     double gap = 0.0;
     double min_length = 0.0;  ///< Shorter chains are left out.
     double stubble = 0.0;  ///< Shorter strokes are left out where they are noise (line_stubble.h).

@@ -141,11 +141,13 @@ void LineStrokes::add_overlap(const RunEnd& a, const RunEnd& b, double gap,
 
 void LineStrokes::find_pairs(double gap, const LineDrawing& drawing) {
     pairs_.clear();
+    const double reach = k_max_overlap * gap;
     for (std::size_t i = 0; i < ends_.size(); ++i)
-        for (std::size_t j = i + 1;
-             j < ends_.size() && ends_[j].position.x - ends_[i].position.x <= k_max_overlap * gap;
-             ++j)
-            add_pair(i, j, gap, drawing);
+        for (std::size_t j = i + 1; j < ends_.size(); ++j) {
+            const glm::dvec2 way = ends_[j].position - ends_[i].position;
+            if (way.x > reach) break;
+            if (std::abs(way.y) <= reach) add_pair(i, j, gap, drawing);
+        }
     std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
         if (a.score != b.score) return a.score < b.score;
         return a.a != b.a ? a.a < b.a : a.b < b.b;
@@ -162,8 +164,8 @@ void LineStrokes::mate(const Pair& pair) {
 bool LineStrokes::cut(const Cut& cut) {
     const std::uint32_t run = cut.end / 2;
     const bool is_last = cut.end % 2 != 0;
-    if (is_last ? cut.at <= begins_[run] : cut.at >= ends_of_runs_[run]) return false;
-    (is_last ? ends_of_runs_ : begins_)[run] = cut.at;
+    if (is_last ? cut.at <= cut_begins_[run] : cut.at >= cut_ends_[run]) return false;
+    (is_last ? cut_ends_ : cut_begins_)[run] = cut.at;
     return true;
 }
 
@@ -171,7 +173,7 @@ bool LineStrokes::cut(const Cut& cut) {
 double LineStrokes::add_part(std::uint32_t run, bool is_reversed, LineDrawing& drawing) const {
     StrokePart part = drawing.whole(run, is_reversed);
     const std::uint32_t first = part.first_point, last = part.last_point - 1;
-    const double begin = begins_[run], end = ends_of_runs_[run];
+    const double begin = cut_begins_[run], end = cut_ends_[run];
     double length = drawing.runs[run].length;
     if (begin > 0.0 || end < double(last - first)) {
         // Copies, as more points are added.
@@ -223,10 +225,10 @@ void LineStrokes::follow(std::uint32_t first_end, bool is_closed, double min_len
 void LineStrokes::join(const LineOptions& options, LineDrawing& drawing) {
     mates_.assign(2 * drawing.runs.size(), k_no_end);
     is_done_.assign(drawing.runs.size(), 0);
-    begins_.assign(drawing.runs.size(), 0.0);
-    ends_of_runs_.clear();
+    cut_begins_.assign(drawing.runs.size(), 0.0);
+    cut_ends_.clear();
     for (const LineRun& run : drawing.runs)
-        ends_of_runs_.push_back(double(run.last_point - run.first_point) - 1.0);
+        cut_ends_.push_back(double(run.last_point - run.first_point) - 1.0);
     find_ends(options.gap, drawing);
     find_pairs(options.gap, drawing);
     for (const Pair& pair : pairs_) mate(pair);

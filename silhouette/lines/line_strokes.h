@@ -17,7 +17,7 @@ namespace rimline {
 class LineStrokes {
 public:
     /// Sets strokes and stroke_parts of the drawing, and adds points of parts that are not whole runs. Strokes shorter
-    /// than options.min_length are left out. O(runs log runs + pairs of ends nearer than four times options.gap).
+    /// than options.min_length are left out. O(runs log runs + pairs of ends nearer than six times options.gap).
     void join(const LineOptions& options, LineDrawing& drawing);
 
 private:
@@ -59,7 +59,7 @@ private:
     std::vector<RunEnd> ends_;
     std::vector<Pair> pairs_;
     std::vector<std::uint32_t> mates_;           // By end.
-    std::vector<double> begins_, ends_of_runs_;  // By run, numbers of points with a share.
+    std::vector<double> cut_begins_, cut_ends_;  // By run, numbers of points with a share.
     std::vector<std::uint8_t> is_done_;
 };
 

@@ -21,6 +21,7 @@
 #include "tools/bindings/bound_drawer.h"
 #include "tools/bindings/bound_mesh.h"
 #include "tools/bindings/bound_renderer.h"
+#include "tools/bindings/option_names.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/up_option.h"
 #include "tools/options/view_choice.h"
@@ -85,6 +86,15 @@ rimline_status fail(rimline_error** error, rimline_status status, const char* me
     return status;
 }
 
+rimline_status fail_in_options(rimline_error** error, const char* message) noexcept {
+    try {
+        return fail(error, RIMLINE_BAD_ARGUMENT,
+                    rimline::tools::with_plain_names(message, '-').c_str());
+    } catch (const std::bad_alloc&) {
+        return fail(error, RIMLINE_OUT_OF_MEMORY, "out of memory");
+    }
+}
+
 // Calls work() and turns what it throws into a status.
 template <typename Work>
 rimline_status guarded(rimline_error** error, Work&& work) noexcept {
@@ -95,9 +105,9 @@ rimline_status guarded(rimline_error** error, Work&& work) noexcept {
     } catch (const rimline::Error& failure) {
         return fail(error, status_of(failure.code()), failure.what());
     } catch (const UsageError& failure) {
-        return fail(error, RIMLINE_BAD_ARGUMENT, failure.what());
+        return fail_in_options(error, failure.what());
     } catch (const CLI::ParseError& failure) {
-        return fail(error, RIMLINE_BAD_ARGUMENT, failure.what());
+        return fail_in_options(error, failure.what());
     } catch (const std::bad_alloc&) {
         return fail(error, RIMLINE_OUT_OF_MEMORY, "out of memory");
     } catch (const std::exception& failure) {

@@ -36,8 +36,10 @@ void DrawnLines::add_to(CLI::App& app) {
               "Draw only hidden lines with at most N faces in front of them (default: any number)")
         ->default_str("")
         ->group(k_group);
-    add_number(app, "--gap", gap_mm, 0.0, 100.0,
-               "Join lines over gaps up to this length, hidden or beside a line that ends")
+    add_number(
+        app, "--gap", gap_mm, 0.0, 100.0,
+        "Join lines over gaps up to this length, hidden or beside a line that ends, and where one "
+        "begins beside another's end, no farther from it than this")
         ->group(k_group);
     add_number(app, "--min-length", min_length_mm, 0.0, 1000.0,
                "Leave out shorter lines (default: 1 for hidden lines, 0 for visible ones)")

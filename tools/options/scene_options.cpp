@@ -158,7 +158,6 @@ void SceneOptions::check_lines() const {
                              (lines ? ": --lines off draws no lines"
                                     : ": the style mask draws lines with --lines on alone"));
     };
-    refuse("--line-color", line_color || has_material_lines);
     refuse("--line-width", line_width.has_value());
     refuse("--crease", crease_degrees.has_value());
     refuse("--hidden", hidden);

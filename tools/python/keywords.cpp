@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "tools/bindings/option_names.h"
 #include "tools/nearest_name.h"
 #include "tools/python/arrays.h"
 
@@ -108,16 +109,7 @@ void add_words(Words& words, const CLI::Option& option, const std::string& keywo
 }  // namespace
 
 std::string in_keywords(std::string message) {
-    for (std::size_t at = 0; (at = message.find("--", at)) != std::string::npos;) {
-        const std::size_t begin = at + 2;
-        std::size_t end = begin;
-        while (end < message.size() && (std::islower(message[end]) != 0 || message[end] == '-'))
-            ++end;
-        const std::string keyword = keyword_name(message.substr(at, end - at));
-        message.replace(at, end - at, keyword);
-        at += std::max<std::size_t>(keyword.size(), 1);
-    }
-    return message;
+    return tools::with_plain_names(std::move(message), '_');
 }
 
 void parse_keywords(CLI::App& app, const py::dict& keywords) {

@@ -13,7 +13,8 @@ namespace {
 
 using Weight = FieldOptions::Weight;
 
-TEST_CASE("discounted votes are within their bound of the sum over all planes") {
+TEST_CASE("discounted votes are within their bound of the sum over all planes" *
+          doctest::test_suite("plain")) {
     const std::vector<glm::dvec3> chosen = {{0.7, 0.4, -0.3}, {-1.1, 0.2, 0.9}, {0.0, -1.9, 0.1}};
     const auto points = tests::probe_points(100, 4);
     for (const auto& [shape, faces] :

@@ -119,7 +119,8 @@ TEST_CASE("no face lies before a seen place") {
 }
 
 TEST_CASE(
-    "the chosen sun lights a third to two thirds of round shapes, from above and not from behind") {
+    "the chosen sun lights a third to two thirds of round shapes from above and not from behind" *
+    doctest::test_suite("plain")) {
     for (const char* shape : {"sphere", "torus", "knot", "spring", "terrain", "scene"}) {
         const Mesh mesh(make_built_in_shape(shape, 8000));
         const SunSurvey survey(mesh);
@@ -225,8 +226,8 @@ TEST_CASE("small parts far apart are seen, and lit as one of them alone") {
     }
 }
 
-TEST_CASE(
-    "a moving sun follows the camera, turns slowly and comes back, and leaves no frame dark") {
+TEST_CASE("a moving sun follows the camera turns slowly and comes back and leaves no frame dark" *
+          doctest::test_suite("plain")) {
     const Mesh mesh(make_built_in_shape("knot", 8000));
     const SunSurvey survey(mesh);
     constexpr int k_frames = 90;

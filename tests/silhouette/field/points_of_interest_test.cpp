@@ -22,7 +22,8 @@ namespace {
 constexpr SearchDomain k_ball{0.0, 3.0};
 constexpr SearchDomain k_shell{std::numbers::sqrt3, 2.0};
 
-TEST_CASE("the first point is within 1% of the greatest of a 33^3 lattice") {
+TEST_CASE("the first point is within 1% of the greatest of a 33^3 lattice" *
+          doctest::test_suite("plain")) {
     for (const auto& [shape, faces] : {std::pair<const char*, std::uint32_t>{"knot", 1000},
                                        {"torus", 1000},
                                        {"spring", 1000},

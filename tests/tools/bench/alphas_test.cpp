@@ -27,7 +27,8 @@ AlphaResult result_of(const char* shape, std::uint32_t faces) {
 
 }  // namespace
 
-TEST_CASE("every alpha is counted with every number of origins and both lists") {
+TEST_CASE("every alpha is counted with every number of origins and both lists" *
+          doctest::test_suite("plain")) {
     const AlphaResult result = result_of("knot", 2000);
     CHECK(result.difference == "");
     CHECK(result.center.trial.count == 0);
@@ -54,7 +55,8 @@ TEST_CASE("every alpha is counted with every number of origins and both lists") 
     CHECK(missed > 0.0);
 }
 
-TEST_CASE("means over models are geometric and of the counts over those of the center") {
+TEST_CASE("means over models are geometric and of the counts over those of the center" *
+          doctest::test_suite("plain")) {
     const std::vector<AlphaResult> results{result_of("knot", 1000), result_of("torus", 800)};
     const std::vector<AlphaMean> means = means_of(results);
     REQUIRE(!means.empty());

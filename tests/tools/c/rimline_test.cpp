@@ -31,6 +31,7 @@ rimline_status failing(Call call) {
     CHECK(status != RIMLINE_OK);
     CHECK(status == rimline_error_status(error));
     CHECK(std::strlen(rimline_error_message(error)) > 0);
+    CHECK(std::strstr(rimline_error_message(error), "--") == nullptr);  // Names have no dashes.
     rimline_error_free(error);
     CHECK(call(nullptr) == status);  // Without an error too.
     return status;

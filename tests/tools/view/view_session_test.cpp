@@ -172,7 +172,8 @@ TEST_CASE("fitting brings the model back into view from where the camera is, by 
     }
 }
 
-TEST_CASE("between panels the model is whole, in the middle of what they leave, from every side") {
+TEST_CASE("between panels the model is whole in the middle of what they leave from every side" *
+          doctest::test_suite("plain")) {
     ViewSession session;
     for (const char* name : {"shape:spring", "shape:scene", "shape:knot"}) {
         session.show(open(name), 1.2);
@@ -207,7 +208,7 @@ TEST_CASE("between panels the model is whole, in the middle of what they leave, 
     }
 }
 
-TEST_CASE("with a ground the model is whole too, beside its shadow") {
+TEST_CASE("with a ground the model is whole too beside its shadow" * doctest::test_suite("plain")) {
     ViewSession session;
     session.appearance.ground = true;
     for (const char* name : {"shape:spring", "shape:knot"})

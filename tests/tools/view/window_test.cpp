@@ -274,7 +274,8 @@ TEST_CASE("a window that is not shown rests, whatever it has yet to draw") {
     CHECK(std::chrono::steady_clock::now() - begun > std::chrono::milliseconds(500));
 }
 
-TEST_CASE("the panel lies over the picture and leaves the rest of it as it is") {
+TEST_CASE("the panel lies over the picture and leaves the rest of it as it is" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_DISPLAY(display);
     Shown shown({.panel = true, .fits = false});
     shown.resize(900, 500);
@@ -314,8 +315,8 @@ std::pair<double, double> margins(const Picture& picture) {
 }
 
 TEST_CASE(
-    "keys are not lost, however short they are pressed, and P saves with the panel folded or "
-    "hidden") {
+    "keys are not lost however short they are pressed and P saves with the panel folded or hidden" *
+    doctest::test_suite("plain")) {
     RIMLINE_OPEN_DISPLAY(display);
     Shown shown({.panel = true});
     shown.capture();
@@ -345,7 +346,8 @@ TEST_CASE(
     std::filesystem::current_path(before);
 }
 
-TEST_CASE("a file that the window has not written is replaced when it is saved again") {
+TEST_CASE("a file that the window has not written is replaced when it is saved again" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_DISPLAY(display);
     Shown shown({.panel = true});
     shown.capture();
@@ -381,8 +383,8 @@ TEST_CASE("a file that the window has not written is replaced when it is saved a
 }
 
 TEST_CASE(
-    "a framed model stays whole beside the panel and Hough space, and in a window of another "
-    "size") {
+    "a framed model stays whole beside the panel and Hough space and in a window of another size" *
+    doctest::test_suite("plain")) {
     RIMLINE_OPEN_DISPLAY(display);
     Shown shown({.panel = true});
     shown.resize(1000, 600);

@@ -1,0 +1,17 @@
+#include "tools/bindings/option_names.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace rimline::tools {
+
+std::string with_plain_names(std::string message, char joint) {
+    for (std::size_t at = 0; (at = message.find("--", at)) != std::string::npos;) {
+        message.erase(at, 2);
+        for (; at < message.size() && (std::islower(message[at]) != 0 || message[at] == '-'); ++at)
+            if (message[at] == '-') message[at] = joint;
+    }
+    return message;
+}
+
+}  // namespace rimline::tools
