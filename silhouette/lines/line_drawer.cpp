@@ -83,7 +83,7 @@ const LineDrawing& LineDrawer::draw(const LineView& view, std::span<const EdgeId
     state_->chains.make(frame, state_->covered, options, drawing);
     state_->identity.assign(frame, state_->chains.chain_of_line(), changes, drawing);
     call.checkpoint(0.9);
-    state_->strokes.join(options, drawing);
+    state_->strokes.join(view.is_orthographic(), options, drawing);
     call.checkpoint(0.95);
     if (options.stubble > 0.0) state_->stubble.remove(frame, options, drawing);
 

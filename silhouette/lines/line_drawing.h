@@ -83,8 +83,9 @@ struct LineReport {
 };
 
 struct LineDrawing {
-    std::vector<LinePoint> points;    ///< Of all runs, then of the parts that are not whole runs.
-    std::vector<LineSource> sources;  ///< One for each point.
+    std::vector<LinePoint> points;  ///< Of all runs, then of the parts that are not whole runs.
+    /// One for each point. Where a run was cut for a stroke, on the edge of the segment that was cut.
+    std::vector<LineSource> sources;
     std::vector<LineRun> runs;
     std::vector<LineChain> chains;
     std::vector<StrokePart> stroke_parts;

@@ -5,6 +5,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <span>
+#include <utility>
 
 namespace rimline {
 
@@ -21,9 +23,36 @@ constexpr double k_min_cos_of_gap = -0.3;
 // farther than half of it. Of the gap.
 constexpr double k_max_overlap = 6.0, k_max_aside = 1.0;
 
+// A chain that is closed but for what is covered by another is none.
 bool is_loop(const LineDrawing& drawing, const LineRun& run) {
     const LineChain& chain = drawing.chains[run.chain];
-    return chain.is_closed && chain.last_run - chain.first_run == 1;
+    const std::span<const LinePoint> points = drawing.points_of(run);
+    return chain.is_closed && chain.last_run - chain.first_run == 1 &&
+           glm::distance(points.front().position, points.back().position) <= 1e-9 * chain.length;
+}
+
+// Places of a run are numbers of points with a share.
+glm::dvec2 place_at(std::span<const LinePoint> points, double at) {
+    const std::size_t i = std::min(static_cast<std::size_t>(at), points.size() - 2);
+    return glm::mix(points[i].position, points[i + 1].position, at - double(i));
+}
+
+double arc_at(std::span<const LinePoint> points, double at) {
+    const std::size_t i = std::min(static_cast<std::size_t>(at), points.size() - 2);
+    return glm::mix(points[i].arc, points[i + 1].arc, at - double(i));
+}
+
+// The way out of a run that ends at `at`, over as much of it as the gap is long, so that a bent last edge does not
+// decide. Of length 1, or 0 where it has none.
+glm::dvec2 way_out(std::span<const LinePoint> points, double at, bool is_last, double gap) {
+    const glm::dvec2 end = place_at(points, at);
+    std::size_t i = is_last ? static_cast<std::size_t>(std::max(std::ceil(at) - 1.0, 0.0))
+                            : std::min(static_cast<std::size_t>(at) + 1, points.size() - 1);
+    const std::size_t stop = is_last ? 0 : points.size() - 1;
+    while (i != stop && glm::distance(points[i].position, end) < gap) i += is_last ? -1 : 1;
+    const glm::dvec2 way = end - points[i].position;
+    const double length = glm::length(way);
+    return length > 0.0 ? way / length : glm::dvec2(0.0);
 }
 
 }  // namespace
@@ -34,16 +63,11 @@ void LineStrokes::find_ends(double gap, const LineDrawing& drawing) {
         const LineRun& run = drawing.runs[r];
         if (!run.is_visible() || is_loop(drawing, run)) continue;
         const std::span<const LinePoint> points = drawing.points_of(run);
-        for (std::uint32_t k = 0; k < 2; ++k) {
-            const auto at = [&](std::size_t i) {
-                return points[k == 0 ? i : points.size() - 1 - i].position;
-            };
-            // The way over as much of the run as the gap is long, so that a bent last edge does not decide.
-            std::size_t i = 1;
-            while (i + 1 < points.size() && glm::length(at(i) - at(0)) < gap) ++i;
-            const glm::dvec2 way = at(0) - at(i);
-            const double length = glm::length(way);
-            if (length > 0.0) ends_.push_back({2 * r + k, at(0), way / length});
+        for (const bool is_last : {false, true}) {
+            const double at = is_last ? double(points.size() - 1) : 0.0;
+            const glm::dvec2 way = way_out(points, at, is_last, gap);
+            if (way != glm::dvec2(0.0))
+                ends_.push_back({2 * r + (is_last ? 1 : 0), place_at(points, at), way});
         }
     }
     std::sort(ends_.begin(), ends_.end(), [](const RunEnd& a, const RunEnd& b) {
@@ -71,7 +95,7 @@ LineStrokes::NearestPlace LineStrokes::nearest_before(const RunEnd& end, const g
     const std::span<const LinePoint> points = drawing.points_of(drawing.runs[end.end / 2]);
     const std::size_t last = points.size() - 1;
     const auto number = [&](std::size_t i) { return end.end % 2 == 0 ? i : last - i; };
-    NearestPlace nearest{0.0, std::numeric_limits<double>::infinity(), end.way};
+    NearestPlace nearest{0.0, std::numeric_limits<double>::infinity()};
     double length = 0.0;
     for (std::size_t i = 0; i < last && length < reach; ++i) {
         const glm::dvec2 from = points[number(i)].position;
@@ -81,8 +105,7 @@ LineStrokes::NearestPlace LineStrokes::nearest_before(const RunEnd& end, const g
         const double share = std::clamp(glm::dot(place - from, way) / square, 0.0, 1.0);
         const double distance = glm::distance(place, from + share * way);
         if (distance < nearest.distance)
-            nearest = {end.end % 2 == 0 ? double(i) + share : double(last - i) - share, distance,
-                       -way / std::sqrt(square)};
+            nearest = {end.end % 2 == 0 ? double(i) + share : double(last - i) - share, distance};
         length += std::sqrt(square);
     }
     return nearest;
@@ -98,7 +121,8 @@ void LineStrokes::add_pair(std::size_t i, std::size_t j, double gap, const LineD
     const double share = gap > 0.0 ? distance / gap : 0.0;
     const bool goes_on = cos <= k_max_cos_of_ends;
     const bool leads_forwards =
-        distance <= 0.1 * gap || glm::dot(a.way, way) >= k_min_cos_of_gap * distance;
+        distance <= 0.1 * gap ||
+        std::min(glm::dot(a.way, way), -glm::dot(b.way, way)) >= k_min_cos_of_gap * distance;
     // Ends of one run close a loop only if the run is much longer than the gap.
     if (distance <= gap && leads_forwards && !(is_loop && run_length < 4.0 * gap) &&
         (goes_on ||
@@ -118,25 +142,29 @@ void LineStrokes::add_overlap(const RunEnd& a, const RunEnd& b, double gap,
     const double reach = k_max_overlap * gap, aside = k_max_aside * gap;
     const NearestPlace on_a = nearest_before(a, b.position, reach, drawing);
     const NearestPlace on_b = nearest_before(b, a.position, reach, drawing);
-    const bool cuts_a = on_a.distance < on_b.distance;
-    const NearestPlace& place = cuts_a ? on_a : on_b;
-    const double cos = glm::dot(place.way, cuts_a ? b.way : a.way);
-    if (place.distance > 0.5 * aside || cos > k_max_cos_of_ends) return;
     // What is cut off lies beside the other run.
     const auto is_beside = [&](const RunEnd& end, double at, const RunEnd& other) {
         const std::span<const LinePoint> points = drawing.points_of(drawing.runs[end.end / 2]);
         const bool is_last = end.end % 2 != 0;
-        for (std::size_t i = 0; i < points.size(); ++i)
-            if ((is_last ? double(i) > at : double(i) < at) &&
-                nearest_before(other, points[i].position, reach, drawing).distance > aside)
+        const std::size_t begin = is_last ? static_cast<std::size_t>(at) + 1 : 0;
+        for (std::size_t i = begin; i < points.size() && (is_last || double(i) < at); ++i)
+            if (nearest_before(other, points[i].position, reach, drawing).distance > aside)
                 return false;
         return true;
     };
     if (!is_beside(a, on_a.at, b) || !is_beside(b, on_b.at, a)) return;
-    std::array<Cut, 2> cuts{Cut{a.end, on_a.at}, Cut{b.end, on_b.at}};
-    if (!cuts_a) std::swap(cuts[0], cuts[1]);
+    const auto cut_at = [&](const NearestPlace& place, const RunEnd& end, const RunEnd& other) {
+        const std::span<const LinePoint> points = drawing.points_of(drawing.runs[end.end / 2]);
+        const glm::dvec2 way = way_out(points, place.at, end.end % 2 != 0, gap);
+        const double cos = glm::dot(way, other.way);
+        if (place.distance > 0.5 * aside || cos > k_max_cos_of_ends) return Cut{};
+        return Cut{end.end, place.at, place.distance / gap + 1.0 + cos};
+    };
+    std::array<Cut, 2> cuts{cut_at(on_a, a, b), cut_at(on_b, b, a)};
+    if (cuts[1].score <= cuts[0].score) std::swap(cuts[0], cuts[1]);
+    if (cuts[0].end == k_no_end) return;
     const double distance = glm::distance(a.position, b.position);
-    pairs_.push_back({(place.distance + 0.25 * distance) / gap + 1.0 + cos, a.end, b.end, cuts});
+    pairs_.push_back({cuts[0].score + 0.25 * distance / gap, a.end, b.end, cuts});
 }
 
 void LineStrokes::find_pairs(double gap, const LineDrawing& drawing) {
@@ -154,18 +182,27 @@ void LineStrokes::find_pairs(double gap, const LineDrawing& drawing) {
     });
 }
 
-void LineStrokes::mate(const Pair& pair) {
+void LineStrokes::mate(const Pair& pair, double gap, const LineDrawing& drawing) {
     if (mates_[pair.a] != k_no_end || mates_[pair.b] != k_no_end) return;
-    if (pair.cuts[0].end != k_no_end && !cut(pair.cuts[0]) && !cut(pair.cuts[1])) return;
+    if (pair.cuts[0].end != k_no_end && !cut(pair.cuts[0], gap, drawing) &&
+        !cut(pair.cuts[1], gap, drawing))
+        return;
     mates_[pair.a] = pair.b;
     mates_[pair.b] = pair.a;
 }
 
-bool LineStrokes::cut(const Cut& cut) {
+// Of a run that is cut, as much as the gap is left: else its ways are not those at its ends.
+bool LineStrokes::cut(const Cut& cut, double gap, const LineDrawing& drawing) {
+    if (cut.end == k_no_end) return false;
     const std::uint32_t run = cut.end / 2;
+    double &begin = cut_begins_[run], &end = cut_ends_[run];
     const bool is_last = cut.end % 2 != 0;
-    if (is_last ? cut.at <= cut_begins_[run] : cut.at >= cut_ends_[run]) return false;
-    (is_last ? cut_ends_ : cut_begins_)[run] = cut.at;
+    const double new_begin = is_last ? begin : cut.at, new_end = is_last ? cut.at : end;
+    const std::span<const LinePoint> points = drawing.points_of(drawing.runs[run]);
+    if (new_begin >= new_end || arc_at(points, new_end) - arc_at(points, new_begin) < gap)
+        return false;
+    begin = new_begin;
+    end = new_end;
     return true;
 }
 
@@ -185,9 +222,19 @@ double LineStrokes::add_part(std::uint32_t run, bool is_reversed, LineDrawing& d
             const auto i = std::min(first + static_cast<std::uint32_t>(at), last - 1);
             const double share = at - double(i - first);
             const LinePoint a = drawing.points[i], b = drawing.points[i + 1];
-            add({glm::mix(a.position, b.position, share), glm::mix(a.depth, b.depth, share),
+            // In space: in perspective, 1 / depth is linear in the picture.
+            const double in_space =
+                is_orthographic_ ? share
+                                 : share * a.depth / (share * a.depth + (1.0 - share) * b.depth);
+            // The segment lies on the edge of the point that it leads to, and begins on it or at its other end.
+            LineSource source = drawing.sources[i + 1];
+            const float from = drawing.sources[i].edge == source.edge ? drawing.sources[i].share
+                               : source.share >= 0.5f                 ? 0.0f
+                                                                      : 1.0f;
+            source.share = glm::mix(from, source.share, static_cast<float>(in_space));
+            add({glm::mix(a.position, b.position, share), glm::mix(a.depth, b.depth, in_space),
                  glm::mix(a.arc, b.arc, share)},
-                drawing.sources[share < 0.5 ? i : i + 1]);
+                source);
         };
         part.first_point = static_cast<std::uint32_t>(drawing.points.size());
         add_at(begin);
@@ -207,6 +254,7 @@ void LineStrokes::follow(std::uint32_t first_end, bool is_closed, double min_len
                       .last_part = 0,
                       .is_closed = is_closed,
                       .length = 0.0};
+    const std::size_t points = drawing.points.size();
     for (std::uint32_t end = first_end;;) {
         const std::uint32_t run = end / 2;
         is_done_[run] = 1;
@@ -216,13 +264,17 @@ void LineStrokes::follow(std::uint32_t first_end, bool is_closed, double min_len
         end = next;
     }
     stroke.last_part = static_cast<std::uint32_t>(drawing.stroke_parts.size());
-    if (stroke.length < min_length)
-        drawing.stroke_parts.resize(stroke.first_part);
-    else
+    if (stroke.length >= min_length) {
         drawing.strokes.push_back(stroke);
+        return;
+    }
+    drawing.stroke_parts.resize(stroke.first_part);
+    drawing.points.resize(points);
+    drawing.sources.resize(points);
 }
 
-void LineStrokes::join(const LineOptions& options, LineDrawing& drawing) {
+void LineStrokes::join(bool is_orthographic, const LineOptions& options, LineDrawing& drawing) {
+    is_orthographic_ = is_orthographic;
     mates_.assign(2 * drawing.runs.size(), k_no_end);
     is_done_.assign(drawing.runs.size(), 0);
     cut_begins_.assign(drawing.runs.size(), 0.0);
@@ -231,7 +283,7 @@ void LineStrokes::join(const LineOptions& options, LineDrawing& drawing) {
         cut_ends_.push_back(double(run.last_point - run.first_point) - 1.0);
     find_ends(options.gap, drawing);
     find_pairs(options.gap, drawing);
-    for (const Pair& pair : pairs_) mate(pair);
+    for (const Pair& pair : pairs_) mate(pair, options.gap, drawing);
     for (const bool closed : {false, true})
         for (std::uint32_t r = 0; r < drawing.runs.size(); ++r) {
             if (is_done_[r] != 0 || !drawing.runs[r].is_visible()) continue;

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "silhouette/lines/line_drawing.h"
@@ -18,7 +19,7 @@ class LineStrokes {
 public:
     /// Sets strokes and stroke_parts of the drawing, and adds points of parts that are not whole runs. Strokes shorter
     /// than options.min_length are left out. O(runs log runs + pairs of ends nearer than six times options.gap).
-    void join(const LineOptions& options, LineDrawing& drawing);
+    void join(bool is_orthographic, const LineOptions& options, LineDrawing& drawing);
 
 private:
     static constexpr std::uint32_t k_no_end = 0xffffffffu;
@@ -30,8 +31,9 @@ private:
     };
     // Where a run is cut: at number + share of its points.
     struct Cut {
-        std::uint32_t end = k_no_end;
+        std::uint32_t end = k_no_end;  // k_no_end: nowhere.
         double at = 0.0;
+        double score = std::numeric_limits<double>::infinity();
     };
     struct Pair {
         double score;
@@ -42,7 +44,6 @@ private:
     struct NearestPlace {
         double at;
         double distance;
-        glm::dvec2 way;  // There, out of the run.
     };
     void find_ends(double gap, const LineDrawing& drawing);
     void find_pairs(double gap, const LineDrawing& drawing);
@@ -50,11 +51,13 @@ private:
     void add_overlap(const RunEnd& a, const RunEnd& b, double gap, const LineDrawing& drawing);
     static NearestPlace nearest_before(const RunEnd& end, const glm::dvec2& place, double reach,
                                        const LineDrawing& drawing);
-    void mate(const Pair& pair);
-    bool cut(const Cut& cut);
+    void mate(const Pair& pair, double gap, const LineDrawing& drawing);
+    bool cut(const Cut& cut, double gap, const LineDrawing& drawing);
     bool is_corner(std::size_t i, std::size_t j, double gap) const;
     void follow(std::uint32_t first_end, bool is_closed, double min_length, LineDrawing& drawing);
     double add_part(std::uint32_t run, bool is_reversed, LineDrawing& drawing) const;
+
+    bool is_orthographic_ = false;
 
     std::vector<RunEnd> ends_;
     std::vector<Pair> pairs_;

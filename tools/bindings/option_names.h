@@ -6,7 +6,7 @@
 
 namespace rimline::tools {
 
-/// The message with `line-width` for `--line-width`, and `joint` for the dashes within a name.
+/// A message of the command, with `line-width` for `--line-width`, and `joint` for the dashes within a name.
 std::string with_plain_names(std::string message, char joint);
 
 }  // namespace rimline::tools

@@ -238,7 +238,7 @@ private:
 
     void check_usage() const {
         scene_.check_usage(picture_);
-        scene_.check_lines();
+        if (!models_.has_scene_file()) scene_.check_lines();  // A file may set them for later.
         check_fps(*fps_option_, output_);
         if (path_.radius == 0.0)
             throw UsageError(

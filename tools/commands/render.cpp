@@ -91,7 +91,7 @@ public:
         models_.settle(picture_, ModelList::FirstCamera::used);
         options_.has_painted_models = models_.has_paint();
         options_.check_usage(picture_);
-        options_.check_lines();
+        if (!models_.has_scene_file()) options_.check_lines();  // A file may set them for later.
         outline_.check_usage(*app_);
         check_output(context, output_);
         check_outputs();

@@ -53,6 +53,7 @@ public:
     bool is_plain() const noexcept {
         return !scene_ && models_.size() == 1 && !models_.front().is_placed();
     }
+    bool has_scene_file() const noexcept { return scene_.has_value(); }
     bool has_paint() const noexcept;
     /// Throws UsageError if `output` is one of the files that are read.
     void check_output_is_no_input(const std::string& output) const;

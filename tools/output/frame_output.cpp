@@ -37,19 +37,23 @@ bool is_film(const fs::path& output) {
     return (ending == ".apng" || is_film_ending(ending)) && !fs::is_directory(output, ignored);
 }
 
+bool is_other_file(const fs::path& output) {
+    std::error_code ignored;
+    return !fs::is_directory(output, ignored) &&
+           (output == k_standard_output ||
+            std::ranges::find(k_other_files, lower_ending(output)) != k_other_files.end());
+}
+
 }  // namespace
 
 std::unique_ptr<FrameSink> make_frame_sink(const fs::path& output,
                                            const FrameSinkOptions& options) {
     const std::string ending = lower_ending(output);
-    std::error_code ignored;
     if (is_film(output)) {
         if (ending == ".apng") return std::make_unique<ApngFile>(output, options);
         return std::make_unique<FilmFile>(output, ending, options);
     }
-    if (!fs::is_directory(output, ignored) &&
-        (output == k_standard_output ||
-         std::ranges::find(k_other_files, ending) != k_other_files.end()))
+    if (is_other_file(output))
         throw UsageError(
             "-o: expected a folder, or a name that ends in .apng, .mp4, .gif or "
             ".webm, not '" +
@@ -58,7 +62,7 @@ std::unique_ptr<FrameSink> make_frame_sink(const fs::path& output,
 }
 
 void check_fps(const CLI::Option& fps, const fs::path& output) {
-    if (fps.count() > 0 && !is_film(output))
+    if (fps.count() > 0 && !is_film(output) && !is_other_file(output))
         throw UsageError("--fps: belongs to a film; a folder has pictures alone");
 }
 

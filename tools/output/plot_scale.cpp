@@ -33,8 +33,10 @@ double round_step(double range, int steps) {
 std::vector<double> round_ticks(double low, double high, int steps) {
     const double step = round_step(high - low, steps);
     std::vector<double> ticks;
-    for (double i = std::ceil(low / step); i * step <= high; ++i)
-        ticks.push_back(i * step + 0.0);  // No -0.
+    // By count: beyond 2^53 numbers have no next one.
+    const double first = std::ceil(low / step);
+    const int last = static_cast<int>(std::min(std::floor(high / step) - first, double(steps)));
+    for (int i = 0; i <= last; ++i) ticks.push_back((first + i) * step + 0.0);  // No -0.
     return ticks;
 }
 

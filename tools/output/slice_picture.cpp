@@ -26,7 +26,7 @@ struct AxisNumbers {
     std::vector<std::string> texts;
 
     AxisNumbers(double low, double high) {
-        if (!(high > low)) {
+        if (!(high - low > 1e-12 * std::max(std::abs(low), std::abs(high)))) {
             values = {low};
             texts = {short_number(low, std::abs(low) / 100.0)};
             return;

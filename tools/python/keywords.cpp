@@ -61,13 +61,16 @@ struct Words {
         words.push_back(option_name(keyword) + "=" + text);
         written.emplace_back(text, py::reinterpret_borrow<py::object>(value));
     }
-    // The message with `(1, 2)` for `'1,2'`.
+    // The message with `(1, 2)` for `'1,2'`, and with `True not in` for `on not in`.
     std::string as_written(std::string message) const {
         for (const auto& [text, value] : written) {
-            const std::string quoted = "not '" + text + "'";
-            const std::size_t at = message.find(quoted);
-            if (at != std::string::npos)
-                message.replace(at, quoted.size(), "not " + py::repr(value).cast<std::string>());
+            const std::string meant = py::repr(value);
+            for (const auto& [said, better] :
+                 {std::pair("not '" + text + "'", "not " + meant),
+                  std::pair(": " + text + " not in ", ": " + meant + " not in ")}) {
+                const std::size_t at = message.find(said);
+                if (at != std::string::npos) message.replace(at, said.size(), better);
+            }
         }
         return message;
     }

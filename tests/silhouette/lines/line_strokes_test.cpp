@@ -35,7 +35,7 @@ LineDrawing joined(const std::vector<Polyline>& lines, const LineOptions& option
             {run, first, static_cast<std::uint32_t>(drawing.points.size()), 0, length});
         drawing.chains.push_back({run, run + 1, run, LineKind::silhouette, false, length});
     }
-    LineStrokes().join(options, drawing);
+    LineStrokes().join(true, options, drawing);
     CHECK(drawing.sources.size() == drawing.points.size());
     return drawing;
 }
@@ -121,6 +121,42 @@ TEST_CASE("a short line over the ends of two others is a part of their stroke") 
     REQUIRE(drawing.strokes.size() == 1);
     CHECK(drawing.parts_of(drawing.strokes[0]).size() == 3);
     CHECK(drawing.strokes[0].length == doctest::Approx(16.0).epsilon(0.01));
+}
+
+TEST_CASE("a stroke does not go back over itself where a line ends at the tip of another") {
+    // The second comes to the end of the first, and turns back there.
+    const LineDrawing drawing =
+        joined({{{0, 0}, {10, 0}}, {{9.3, 0.4}, {10.0, 0.0}, {4, -0.2}, {2, -3}}});
+    CHECK(drawing.strokes.size() == 2);
+}
+
+TEST_CASE("where a line is cut, its point lies on the edge of its segment") {
+    LineDrawing drawing;
+    const auto add = [&](const Polyline& line, double depth,
+                         const std::vector<LineSource>& sources) {
+        const auto run = static_cast<std::uint32_t>(drawing.runs.size());
+        const auto first = static_cast<std::uint32_t>(drawing.points.size());
+        for (const glm::dvec2& p : line) drawing.points.push_back({p, depth * (1.0 + p.x), p.x});
+        drawing.sources.insert(drawing.sources.end(), sources.begin(), sources.end());
+        drawing.runs.push_back({run, first, static_cast<std::uint32_t>(drawing.points.size()), 0,
+                                line.back().x - line.front().x});
+        drawing.chains.push_back({run, run + 1, run, LineKind::silhouette, false, 0.0});
+    };
+    // In perspective: depths 10 and 13 at x = 9 and 12, so that x = 10 is a third of the way in the picture.
+    add({{0, 0}, {10, 0}}, 1.0, {{EdgeId{1}, 0.0f}, {EdgeId{1}, 1.0f}});
+    add({{8, 0.2}, {9, 0.0}, {12, 0.0}, {20, 0}}, 1.0,
+        {{EdgeId{2}, 0.0f}, {EdgeId{2}, 1.0f}, {EdgeId{3}, 0.0f}, {EdgeId{4}, 1.0f}});
+    LineStrokes().join(false, {.gap = 0.5}, drawing);
+    REQUIRE(drawing.strokes.size() == 1);
+    const StrokePart part = drawing.parts_of(drawing.strokes[0])[1];
+    REQUIRE(part.last_point - part.first_point == 3);
+    const LinePoint& cut = drawing.points_of(part)[0];
+    CHECK(cut.position.x == doctest::Approx(10.0));
+    CHECK(1.0 / cut.depth == doctest::Approx((2.0 / 10.0 + 1.0 / 13.0) / 3.0));
+    // The edge of the second segment, which begins at the edge's other end.
+    CHECK(drawing.sources[part.first_point].edge == EdgeId{3});
+    CHECK(drawing.sources[part.first_point].share ==
+          doctest::Approx(1.0 - (1.0 / 3.0) * 10.0 / ((1.0 / 3.0) * 10.0 + (2.0 / 3.0) * 13.0)));
 }
 
 TEST_CASE("a loop whose ends overlap is closed, without its end twice") {

@@ -280,6 +280,7 @@ def test_animations_refuse_what_has_no_effect_or_no_view():
         box = ("shape:box:12", "-o", os.path.join(folder, "a"), "--frames", "2")
         for command in ("animate", "path"):
             assert "--fps: belongs to a film" in fail(2, command, *box, "--fps", "3")
+            assert "-o: expected a folder" in fail(2, command, *box[:1], "--frames", "2", "-o", "a.mov", "--fps", "3")
         assert "--radius: the camera looks at the center" in fail(2, "animate", *box, "--radius", "0")
         assert "not 'orbt'; did you mean 'orbit'?" in fail(2, "animate", *box, "--path", "orbt")
         assert "absent.txt: cannot open it" in fail(1, "animate", *box, "--path", os.path.join(folder, "absent.txt"))

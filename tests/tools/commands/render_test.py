@@ -391,6 +391,16 @@ def test_options_of_lines_are_refused_where_there_are_none():
             box = ("render", "shape:box:12", "-o", output, option)
             assert f"{name}: --lines off draws no lines" in fail(2, *box, "--lines", "off")
             assert f"{name}: the style mask draws lines with --lines on alone" in fail(2, *box, "--style", "mask")
+        # A scene keeps its settings where its lines are off.
+        scene = os.path.join(folder, "scene.json")
+        with open(scene, "w") as file:
+            json.dump({"rimline_scene": 1, "models": [{"model": "shape:box:12"}],
+                       "picture": {"lines": False, "line-width": 3, "hidden": True, "size": "32x24"}}, file)
+        have_device()
+        succeed("render", scene, "-o", output)
+        succeed("render", scene, "-o", output, "--style", "mask")
+        os.remove(output)
+        os.remove(scene)
         assert os.listdir(folder) == []
 
 

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <vector>
 
 using namespace rimline::tools;
@@ -18,6 +19,11 @@ TEST_CASE("ticks are at round numbers, and as many as asked for at most") {
             CHECK(count <= std::size_t(steps) + 1);
             CHECK(2.5 * double(count + 1) >= steps);
         }
+}
+
+TEST_CASE("a range of hardly more than one number has few ticks") {
+    for (const double low : {1.0, -5.0, 3e300, 1e-300})
+        CHECK(round_ticks(low, std::nextafter(low, 1e308), 6).size() <= 7);
 }
 
 TEST_CASE("numbers have the digits that tell ticks apart") {

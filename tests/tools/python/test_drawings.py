@@ -111,6 +111,7 @@ def test_chains_keep_their_ids_over_frames(knot):
     ({"colour": "red"}, TypeError, "unexpected keyword argument 'colour'"),
     ({"hiden": "dashed"}, TypeError, "did you mean 'hidden'"),
     ({"help": True}, TypeError, "unexpected"),
+    ({"hidden": True}, ValueError, "^hidden: True not in {none,"),
     ({"hidden": "sometimes"}, ValueError, "hidden"),
     ({"eye": (1, 2)}, ValueError, "eye"),
     ({"eye": (1, 2, float("nan"))}, ValueError, "eye"),
