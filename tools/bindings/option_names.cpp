@@ -1,6 +1,5 @@
 #include "tools/bindings/option_names.h"
 
-#include <algorithm>
 #include <cctype>
 
 namespace rimline::tools {

@@ -110,7 +110,8 @@ bool is_out_of_view(const Mesh& mesh, const Camera& camera, double aspect) {
         const glm::dvec3 p = axes * (glm::dvec3(position) - camera.eye);
         const double w = projection.w[0] * p.z + projection.w[1];
         const glm::dvec2 clip = projection.scale * glm::dvec2(p) + projection.shift * w;
-        const std::array<bool, 5> is_outside{clip.x<-w, clip.x> w, clip.y<-w, clip.y> w, w < 0.0};
+        const std::array<bool, 5> is_outside{(clip.x < -w), (clip.x > w), (clip.y < -w),
+                                             (clip.y > w), (w < 0.0)};
         for (std::size_t i = 0; i < 5; ++i) outside[i] += is_outside[i];
     }
     const std::size_t count = mesh.positions().size();

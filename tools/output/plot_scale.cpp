@@ -45,8 +45,9 @@ std::string short_number(double value, double step) {
     // A step that is a power of ten, give or take rounding.
     const int digits = step > 0.0 ? -static_cast<int>(std::floor(std::log10(step) + 1e-9)) : 2;
     if (digits > 5 || std::abs(value) >= 1e9) {
-        const int first =
-            value != 0.0 ? static_cast<int>(std::floor(std::log10(std::abs(value)))) : 0;
+        const int first = value != 0.0 && std::isfinite(value)
+                              ? static_cast<int>(std::floor(std::log10(std::abs(value))))
+                              : 0;
         std::snprintf(text, sizeof text, "%.*g", std::clamp(first + digits + 1, 3, 15), value);
     } else {
         std::snprintf(text, sizeof text, "%.*f", std::max(digits, 0), value);
