@@ -15,6 +15,8 @@ namespace {
 // A line has a corner where its course turns by more than 60 degrees, or where two segments that are longer than
 // some tolerances turn by more than 40.
 constexpr double k_course_corner_cos = 0.5, k_corner_cos = 0.766, k_long_tolerances = 8.0;
+// Below 1, where a straight curve of this length first stands still.
+constexpr double k_max_handles = 0.8;
 constexpr int k_max_rounds = 4;  // Of fitting with better parameters.
 constexpr std::size_t k_samples_a_point = 8;
 
@@ -127,9 +129,11 @@ private:
         if (std::abs(determinant) > 1e-12 * c00 * c11) {
             const double h0 = (x0 * c11 - x1 * c01) / determinant;
             const double h1 = (c00 * x1 - c01 * x0) / determinant;
-            // Handles that point backwards or far away make loops.
+            // Handles that point backwards, or that reach past each other so far that a straight curve would go
+            // back over itself, make loops and cusps, which some programs draw as gaps.
             const double length = arcs_[last] - arcs_[first];
-            if (h0 > 1e-6 * chord && h1 > 1e-6 * chord && h0 < 2.0 * length && h1 < 2.0 * length)
+            if (h0 > 1e-6 * chord && h1 > 1e-6 * chord &&
+                h0 + h1 - std::sqrt(h0 * h1) < k_max_handles * length)
                 handle_0 = h0, handle_1 = h1;
         }
         return {false, begin + handle_0 * from, end + handle_1 * to, end};

@@ -271,6 +271,34 @@ TEST_CASE("points that coincide and points on one straight line give finite curv
     CHECK(pieces[0].end == straight.back());
 }
 
+// Some programs draw a gap where a curve turns back.
+TEST_CASE("curves of a line with a kink do not go back over themselves") {
+    // Of a leg of the horse, downwards, and of the neck of igea, leftwards.
+    const Polyline leg{{189.471, 170.969}, {189.786, 171.903}, {190.042, 172.859},
+                       {190.243, 174.123}, {190.419, 176.085}, {190.453, 177.054},
+                       {190.455, 179.005}, {190.425, 180.003}, {190.343, 180.789},
+                       {190.312, 182.92},  {190.377, 183.823}, {190.401, 184.779},
+                       {190.444, 185.849}, {190.597, 187.98},  {191.109, 191.952}};
+    const Polyline neck{{122.271, 279.906}, {122.256, 279.912}, {120.53, 280.129},
+                        {119.132, 280.251}, {117.224, 280.486}, {115.931, 280.681}};
+    for (const auto& [line, way] :
+         {std::pair(leg, glm::dvec2(0, 1)), std::pair(neck, glm::dvec2(-1, 0))}) {
+        glm::dvec2 begin = line.front();
+        bool has_curve = false;
+        for (const CurvePiece& piece : fit_curves(line, false, 0.05)) {
+            has_curve = has_curve || !piece.is_straight;
+            double last = glm::dot(way, begin);
+            for (int k = 1; k <= 50 && !piece.is_straight; ++k) {
+                const double next = glm::dot(way, point_on(piece, begin, share_of(k, 50)));
+                CHECK(next >= last);
+                last = next;
+            }
+            begin = piece.end;
+        }
+        CHECK(has_curve);
+    }
+}
+
 // A cubic curve of a quarter of a circle is wrong by 2.7e-4 of its radius.
 TEST_CASE("a circle of a thousand points becomes a few curves") {
     Polyline circle;
