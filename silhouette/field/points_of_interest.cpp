@@ -233,11 +233,7 @@ public:
             result_.points.push_back(*best);
             if (k + 1 == options_.count) break;
             votes_.discount(best->point);
-            if (options_.mirror_axis) {
-                glm::dvec3 mirrored = best->point;
-                mirrored[*options_.mirror_axis] *= -1.0;
-                votes_.discount(mirrored);
-            }
+            if (options_.mirror_axis) votes_.discount(mirrored(best->point));
         }
         call.checkpoint(1.0);
         return std::move(result_);
@@ -290,6 +286,12 @@ private:
         return best;
     }
 
+    // The same point without a mirror.
+    glm::dvec3 mirrored(glm::dvec3 point) const {
+        if (options_.mirror_axis) point[*options_.mirror_axis] *= -1.0;
+        return point;
+    }
+
     // No later point lies on the plateau of a steady one.
     bool is_allowed(const glm::dvec3& point) const {
         return !options_.steady || result_.points.empty() ||
@@ -317,6 +319,12 @@ private:
             }
         }
         if (!best) return best;
+        // Noise decides which of two halves has more: the sight of both is the same.
+        const glm::dvec3 other_half = mirrored(best->point);
+        if (options_.mirror_axis && comes_before(other_half, best->point)) {
+            const PointOfInterest peak = refine(scored({&other_half, 1}, call).front(), call);
+            if (mean_score_near(peak.point, score) >= k_contending * highest) best = peak;
+        }
         const glm::dvec3 middle = middle_of_plateau(best->point, score);
         return scored({&middle, 1}, call).front();
     }

@@ -27,7 +27,8 @@
 //   planes have votes left for them.
 //
 //   Mirror. On a symmetric mesh a point and its mirror image are chosen for the same sight. With `mirror_axis`, planes
-//   have no votes left for the mirror images of chosen points either.
+//   have no votes left for the mirror images of chosen points either. Of a steady first point and its mirror image,
+//   the one that comes first among ties is chosen unless it has less than 0.93 of the other: halves seldom are the same.
 //
 //   End. A chosen point has no votes left, so no point is chosen twice. The search ends if no candidate
 //   has more votes than the field's error bound and 2^-20 of its maximum value.

@@ -24,8 +24,8 @@ double mean_score_near(const glm::dvec3& point, const ScorePoints& score);
 /// center. 20 scores each time, at most ten times.
 ///
 /// Chosen on the eight models of the tests that are not flat, with noise of 0.1% of the radius and with a quarter of the
-/// faces: as the highest point the first view moves by 10 to 130 degrees on five of them, so by 9.4 degrees at most, or by
-/// up to 12.9 from its mirror image on nefertiti, whose halves differ. Within 30 degrees and above 0.92 fandisk moved by 14.
+/// faces: as the highest point the first view moves by 10 to 130 degrees on five of them, so by 9.5 degrees at most.
+/// Within 30 degrees and above 0.92 fandisk moved by 14.
 /// Later points are not chosen from the same plateau, is_on_plateau().
 glm::dvec3 middle_of_plateau(const glm::dvec3& point, const ScorePoints& score);
 

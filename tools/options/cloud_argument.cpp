@@ -44,6 +44,7 @@ PointCloud CloudArgument::load(const Context& context) const {
 }
 
 PointCloud CloudArgument::load(const BeginCall& begin) const {
+    check_format_is_of_input(model, format);
     PointSource source;
     if (is_built_in_shape(model) || (as_points && subdivide > 0))
         source = points_of(load_model(model, subdivide, FaceRequirement::faces_or_points, begin,

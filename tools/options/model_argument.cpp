@@ -104,6 +104,7 @@ void check_model_name(const std::string& text, const char* argument) {
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,
                       FaceRequirement requirement, const BeginCall& begin, TexturePictures textures,
                       const std::string& format) {
+    check_format_is_of_input(model, format);
     MeshSource source;
     if (const std::optional<ShapeName> shape = parse_shape(model))
         source = about_model(model, [&] { return make_built_in_shape(shape->name, shape->faces); });

@@ -194,6 +194,8 @@ void ModelList::read_command_line(PictureOptions& picture) {
     const auto is_input = [](const PlacedModel& m) { return m.model == k_standard_input; };
     if (std::ranges::count_if(models_, is_input) > 1)
         throw UsageError("MODEL: standard input can be read only once");
+    if (std::ranges::none_of(models_, is_input))
+        check_format_is_of_input(models_.front().model, format_);
     // The scene has the up direction of its first model.
     if (!scene_up_) std::swap(scene_up_, models_.front().up);
     picture.is_up_auto = scene_up_ && !scene_up_->direction;

@@ -35,6 +35,12 @@ std::string bytes_of_standard_input(const LongCall& call) {
 
 }  // namespace
 
+void check_format_is_of_input(const std::string& model, const std::string& format) {
+    if (!format.empty() && model != k_standard_input)
+        throw UsageError("--format: is for standard input, -; the name of " + model +
+                         " tells its format");
+}
+
 MeshSource read_standard_input(const std::string& format, FaceRequirement requirement,
                                const LongCall& call) {
     if (format.empty())

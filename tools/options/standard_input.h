@@ -12,6 +12,9 @@ namespace rimline::tools {
 /// The MODEL that stands for standard input.
 constexpr const char* k_standard_input = "-";
 
+/// Throws UsageError if a format is given and `model` is not standard input.
+void check_format_is_of_input(const std::string& model, const std::string& format);
+
 /// Reads standard input to its end, for a cloud.
 PointSource read_cloud_from_standard_input(const std::string& format, BadPoints bad,
                                            const LongCall& call);

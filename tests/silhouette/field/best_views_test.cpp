@@ -272,8 +272,8 @@ TEST_CASE("of a shape without a best side, the first view is a three-quarter vie
     }
 }
 
-TEST_CASE("the mirror image of a chosen view has no votes left where the mirror is known") {
-    // Symmetric across x alone.
+// Symmetric across x alone.
+Mesh two_knots() {
     MeshSource source = make_built_in_shape("knot", 2000);
     const auto count = static_cast<std::uint32_t>(source.positions.size());
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -286,8 +286,36 @@ TEST_CASE("the mirror image of a chosen view has no votes left where the mirror 
         const auto [a, b, c] = source.triangles[i];
         source.triangles.push_back({a + count, c + count, b + count});
     }
-    const Mesh mesh(source);
-    CHECK(symmetry_axis(mesh) == 0);
+    return Mesh(source);
+}
+
+TEST_CASE(
+    "of two halves, the steady first view sees the same one though the other has a little more") {
+    const Mesh mesh = two_knots();
+    const TangentialField field = make_view_field(mesh);
+    const auto first_x = [&](double ratio_at_plus_x, std::optional<int> mirror_axis) {
+        BestViewsOptions options;
+        options.count = 1;
+        options.for_people = true;
+        options.mirror_axis = mirror_axis;
+        options.visible_ratios = [&](std::span<const glm::dvec3> eyes) {
+            std::vector<double> ratios;
+            for (const glm::dvec3& eye : eyes) {
+                const double x = eye.x - mesh.center().x;
+                ratios.push_back(0.9 * (x > 0.0 ? ratio_at_plus_x : 1.0) * std::abs(x) /
+                                 glm::distance(eye, mesh.center()));
+            }
+            return ratios;
+        };
+        return find_best_views(field, options).views.at(0).eye.x;
+    };
+    CHECK(first_x(0.96, 0) > 0.0);
+    CHECK(first_x(0.96, std::nullopt) < 0.0);
+    CHECK(first_x(0.85, 0) < 0.0);
+}
+
+TEST_CASE("the mirror image of a chosen view has no votes left where the mirror is known") {
+    CHECK(symmetry_axis(two_knots()) == 0);
     CHECK(symmetry_axis(Mesh(make_built_in_shape("sphere", 2000))) == std::nullopt);
     CHECK(symmetry_axis(Mesh(make_built_in_shape("knot", 2000))) == std::nullopt);
     const Mesh knot(make_built_in_shape("knot", 2000));

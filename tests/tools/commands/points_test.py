@@ -332,6 +332,8 @@ def test_points_refuse_options_without_an_effect():
                         ["--background", "red"], ["--device", "cpu"], ["--validate"]):
             assert options[0] + ": there is no picture" in fail(2, "points", cloud, *options), options
         assert "--step: belongs to --turn" in fail(2, "points", cloud, "--step", "3")
+        assert "--no-lists: belongs to --json" in fail(2, "points", cloud, "--no-lists")
+        assert "--format: is for standard input" in fail(2, "points", cloud, "--format", "xyz")
         assert succeed("points", cloud)["method"] == "robust" and succeed("points", cloud, "--omega", "20")["method"] == "thesis"
         with open(bad, "w") as file:
             file.write("nan 0 0\n0 inf 0\n")

@@ -124,6 +124,8 @@ def test_places_without_a_model_and_bad_places_are_usage_errors():
     assert "did you mean" in fail(2, "render", BOX, "shape:bxo")
     assert "--camera: belongs to a scene file" in fail(2, "render", BOX, "--camera", "a")
     assert "standard input can be read only once" in fail(2, "render", "-", "-", "--format", "obj")
+    for options in (["render", BOX, BOX], ["render"], ["info", BOX], ["draw", "shape:box"]):
+        assert "--format: is for standard input, -" in fail(2, *options, "--format", "obj"), options
     assert "missing.obj" in fail(1, "render", BOX, "missing.obj")
     assert "too large to stand before" in run("render", BOX, BOX, "--at", "1.1e18,0,0").stderr
     far = run("render", BOX, "--at", "1e6,0,0", "-o", "/dev/null", *SIZE)
