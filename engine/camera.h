@@ -23,6 +23,7 @@ struct Projection {
     glm::dvec2 shift{0.0};
 
     bool is_orthographic() const noexcept { return w[0] == 0.0; }
+    bool operator==(const Projection&) const = default;
 };
 
 struct Camera {
@@ -40,6 +41,7 @@ struct Camera {
     bool is_orthographic() const noexcept {
         return projection ? projection->is_orthographic() : ortho_height > 0.0;
     }
+    bool operator==(const Camera&) const = default;
 };
 
 /// The projection that a matrix describes, for Vulkan's clip space: y down, depth from 0 to 1 or from 1 to 0,

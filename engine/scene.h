@@ -94,6 +94,8 @@ struct Light {
     std::optional<float> share;
     /// False: it lights all that turns towards it, as a large soft light does.
     bool casts_shadows = true;
+
+    bool operator==(const Light&) const = default;
 };
 
 enum class Style : std::uint32_t {

@@ -372,9 +372,27 @@ std::optional<ImageSize> ViewLoop::exact_size(bool is_fine) const {
     return ImageSize{size.width, size.height};
 }
 
+void ViewLoop::take_capture(WindowRenderer::Frame& frame) {
+    if (captures_next_) captured_ = std::move(frame.picture);
+    captures_next_ = false;
+}
+
+bool ViewLoop::draw_kept() {
+    std::optional<WindowRenderer::Frame> frame =
+        renderer_.draw_kept(context_.drawing(), captures_next_);
+    if (frame) take_capture(*frame);
+    return frame.has_value();
+}
+
 bool ViewLoop::draw() {
-    const double start_s = now_s();
     const bool is_fine = is_frame_fine();
+    const VkExtent2D size = window_.size_px();
+    DrawnSight sight{session_.sight(), {size.width, size.height}};
+    // A run for a screenshot draws what it is asked for.
+    if (options_.frames == 0 && sight == drawn_sight_ && (!is_fine || !is_coarse_) &&
+        renderer_.has_kept_picture())
+        return draw_kept();
+    const double start_s = now_s();
     std::optional<WindowRenderer::Frame> frame;
     try {
         ViewPicture picture = session_.picture(exact_size(is_fine));
@@ -395,11 +413,11 @@ bool ViewLoop::draw() {
         return false;
     }
     if (!frame) return false;
+    take_capture(*frame);
+    drawn_sight_ = std::move(sight);
     is_coarse_ = !is_fine;
     // Wait until the frames in flight that may refer to it are done.
     if (++frames_of_document_ > RendererOptions{}.frames_in_flight + 1) session_.forget_previous();
-    if (captures_next_) captured_ = std::move(frame->picture);
-    captures_next_ = false;
     if (frame->report.segments > 0) {
         const ShownLines& lines = session_.model().lines();
         frame->report.silhouette = lines.silhouette_count();

@@ -2,7 +2,7 @@
 
 // The main loop of the window: events, input, panel, loader and renderer, until the window is closed.
 //
-// A frame is drawn only when its content has changed. A CPU device draws at a lower resolution while
+// A frame is drawn only when its content has changed, and the picture in it only when more than the panel has. A CPU device draws at a lower resolution while
 // something moves, and at full resolution when nothing has moved for a moment.
 
 #include <memory>
@@ -64,7 +64,9 @@ public:
     /// Captures the next frame as the window shows it. run() captures the last of its frames.
     void capture_next() noexcept { captures_next_ = true; }
     const Picture& captured() const noexcept { return captured_; }
-    /// Whether the last frame was drawn faster: on a CPU device at the lower resolution, and without exact lines.
+    /// How many frames had a new picture, not the one before under another panel.
+    std::size_t picture_count() const noexcept { return counters_.frames; }
+    /// Whether the picture that is shown was drawn faster: on a CPU device at the lower resolution, and without exact lines.
     bool is_coarse() const noexcept { return is_coarse_; }
 
     /// The window's area that the panel and the Hough space beside it leave free.
@@ -89,6 +91,8 @@ private:
     void copy_command();
     void build_panel();
     bool draw();
+    bool draw_kept();
+    void take_capture(WindowRenderer::Frame& frame);
     double waiting_time() const;
     bool is_frame_fine() const;
     FrameQuality quality(bool is_fine) const;
@@ -113,6 +117,12 @@ private:
     ViewCounters counters_;
     Coarseness coarseness_;
     FreeArea last_area_;
+    struct DrawnSight {
+        ViewSight sight;
+        glm::uvec2 size_px;
+        bool operator==(const DrawnSight&) const = default;
+    };
+    std::optional<DrawnSight> drawn_sight_;  // Of the picture that the window shows.
     PanelRequests requests_;
     std::set<std::string> may_replace_;  // Files, by the names that the user gave.
     Picture captured_;

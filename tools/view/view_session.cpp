@@ -352,6 +352,16 @@ ViewPicture ViewSession::picture(std::optional<ImageSize> exact_size) const {
     return shown;
 }
 
+ViewSight ViewSession::sight() const {
+    const void* const document =
+        is_cloud() ? static_cast<const void*>(document_.cloud()) : document_.model();
+    return {.document = document,
+            .camera = camera,
+            .lights = lights,
+            .frozen = frozen_,
+            .appearance = appearance};
+}
+
 SplatScene ViewSession::cloud_scene() const {
     CloudDocument& cloud = *document_.cloud();
     const SceneBounds sphere = bounds();

@@ -46,6 +46,19 @@ struct ViewAppearance {
     bool three_point = false;  ///< A sun that is alone has a fill and a rim light (three_point.h).
     double fov_y_deg = 35.0;
     bool orthographic = false;
+
+    bool operator==(const ViewAppearance&) const = default;
+};
+
+/// All that ViewSession::picture() depends on, but the size of the picture. Equal ones give the same picture.
+struct ViewSight {
+    const void* document = nullptr;  ///< While it lives.
+    Camera camera;
+    std::vector<Light> lights;
+    std::optional<Camera> frozen;
+    ViewAppearance appearance;
+
+    bool operator==(const ViewSight&) const = default;
 };
 
 /// The part of a window that no panel covers, in any unit.
@@ -154,6 +167,7 @@ public:
     /// The scene of the document. Valid until the session changes. Of a model whose silhouette is not frozen, a
     /// picture of `exact_size` has lines with exact visibility, as `render` draws them. They take longer.
     ViewPicture picture(std::optional<ImageSize> exact_size = {}) const;
+    ViewSight sight() const;
     /// For models only. A ground is under the model by the scene's up direction, or the camera's.
     Scene scene() const;
     /// What a scene file says of the session; `size` is that of its picture. For models only.

@@ -24,6 +24,7 @@ constexpr StageAccess k_drawing{
 constexpr StageAccess k_enlarging{VK_PIPELINE_STAGE_2_BLIT_BIT,
                                   VK_ACCESS_2_TRANSFER_READ_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT};
 constexpr StageAccess k_copying{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT};
+constexpr VkImageLayout k_drawn = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
 // Presentation waits for a semaphore, which orders all later accesses.
 constexpr StageAccess k_no_access{VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE};
 
@@ -66,14 +67,18 @@ struct WindowRenderer::OnDevice {
     }
 
     PictureTarget shown_target() const;
-    PictureTarget smaller_target(std::uint32_t divisor);
-    void record_enlargement(Commands commands, const PictureTarget& from);
+    PictureTarget kept_target(VkExtent2D extent);
+    void record_kept(Commands commands, VkImageLayout layout);
     void record_overlay(Commands commands, std::uint32_t ring_slot, const OverlayDrawing& drawing);
     void make_renderer(const ViewPicture& scene, std::uint32_t scale);
     UploadPoint prepare(const ViewPicture& scene, const PictureTarget& target);
     FrameReport record_scene(Commands commands, Commands picture, const ViewPicture& scene,
                              const PictureTarget& target);
-    void submit(const RingSlot& slot, const UploadPoint& uploaded);
+    // Into the kept picture, or where windows cannot be copied to, into the window.
+    UploadPoint record_picture(const RingSlot& slot, Commands picture, const ViewPicture& scene,
+                               const FrameQuality& quality, FrameReport& report);
+    // Of a frame that shows the kept picture again, only `picture` is submitted.
+    void submit(const RingSlot& slot, const std::optional<UploadPoint>& uploaded);
 
     WindowSurface surface;
     TestedDevice device;
@@ -88,8 +93,9 @@ struct WindowRenderer::OnDevice {
     std::uint64_t frames = 0;
     VkExtent2D last_extent{};  // The size of the renderer's targets.
     std::uint32_t last_scale = 0;
-    Image small;  // The target of coarse pictures.
-    VkExtent2D small_extent{};
+    Image kept;  // The last picture, without the panel; a coarse one is smaller than the window.
+    VkExtent2D kept_extent{};
+    bool has_kept = false;
 };
 
 PictureTarget WindowRenderer::OnDevice::shown_target() const {
@@ -100,44 +106,43 @@ PictureTarget WindowRenderer::OnDevice::shown_target() const {
 }
 
 // No frame in flight may use the one of another size.
-PictureTarget WindowRenderer::OnDevice::smaller_target(std::uint32_t divisor) {
-    const VkExtent2D whole = swapchain.extent();
-    const VkExtent2D extent{(whole.width + divisor - 1) / divisor,
-                            (whole.height + divisor - 1) / divisor};
-    if (small_extent.width != extent.width || small_extent.height != extent.height) {
-        small =
+PictureTarget WindowRenderer::OnDevice::kept_target(VkExtent2D extent) {
+    if (kept_extent.width != extent.width || kept_extent.height != extent.height) {
+        kept_extent = {};
+        kept =
             Image(device.context(),
                   {.format = swapchain.format(),
                    .extent = extent,
                    .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT},
-                  "the window's coarse picture");
-        small_extent = extent;
+                  "the window's picture");
+        kept_extent = extent;
     }
-    return {.image = small.handle(),
-            .view = small.attachment_view(),
+    return {.image = kept.handle(),
+            .view = kept.attachment_view(),
             .format = swapchain.format(),
             .extent = extent};
 }
 
-void WindowRenderer::OnDevice::record_enlargement(Commands commands, const PictureTarget& from) {
+// Into the window. Afterwards the kept picture is in TRANSFER_SRC_OPTIMAL.
+void WindowRenderer::OnDevice::record_kept(Commands commands, VkImageLayout layout) {
     constexpr VkImageLayout k_source = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
     constexpr VkImageLayout k_enlarged = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
-    constexpr VkImageLayout k_attached = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    const PictureTarget from = kept_target(kept_extent);
     record_barrier(
         commands, k_drawing, k_enlarging,
-        {{from, k_attached, k_source}, {shown_target(), VK_IMAGE_LAYOUT_UNDEFINED, k_enlarged}});
+        {{from, layout, k_source}, {shown_target(), VK_IMAGE_LAYOUT_UNDEFINED, k_enlarged}});
     const auto corner = [](VkExtent2D extent) {
         return VkOffset3D{static_cast<std::int32_t>(extent.width),
                           static_cast<std::int32_t>(extent.height), 1};
     };
     constexpr VkImageSubresourceLayers k_color{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
     const VkImageBlit region{.srcSubresource = k_color,
-                             .srcOffsets = {{}, corner(from.extent)},
+                             .srcOffsets = {{}, corner(kept_extent)},
                              .dstSubresource = k_color,
                              .dstOffsets = {{}, corner(swapchain.extent())}};
     commands->CmdBlitImage(commands, from.image, k_source, swapchain.image(), k_enlarged, 1,
                            &region, VK_FILTER_LINEAR);
-    record_barrier(commands, k_enlarging, k_drawing, {{shown_target(), k_enlarged, k_attached}});
+    record_barrier(commands, k_enlarging, k_drawing, {{shown_target(), k_enlarged, k_drawn}});
 }
 
 void WindowRenderer::OnDevice::record_overlay(Commands commands, std::uint32_t ring_slot,
@@ -190,13 +195,41 @@ FrameReport WindowRenderer::OnDevice::record_scene(Commands commands, Commands p
     return {};
 }
 
-void WindowRenderer::OnDevice::submit(const RingSlot& slot, const UploadPoint& uploaded) {
+UploadPoint WindowRenderer::OnDevice::record_picture(const RingSlot& slot, Commands picture,
+                                                     const ViewPicture& scene,
+                                                     const FrameQuality& quality,
+                                                     FrameReport& report) {
+    const bool keeps = swapchain.can_be_copied_to();
+    const std::uint32_t divisor = keeps ? quality.divisor : 1;
+    const VkExtent2D window_extent = swapchain.extent();
+    const VkExtent2D extent{(window_extent.width + divisor - 1) / divisor,
+                            (window_extent.height + divisor - 1) / divisor};
+    if (extent.width != last_extent.width || extent.height != last_extent.height ||
+        quality.scale != last_scale)
+        wait_for_all();
+    last_extent = extent;
+    last_scale = quality.scale;
+    make_renderer(scene, quality.scale);
+    has_kept = false;
+    const PictureTarget target = keeps ? kept_target(extent) : shown_target();
+    const UploadPoint uploaded = prepare(scene, target);
+    const Commands commands = begin_commands(device.context(), slot.commands);
+    report = record_scene(commands, picture, scene, target);
+    vk_check(commands->EndCommandBuffer(commands), "vkEndCommandBuffer");
+    has_kept = keeps;
+    return uploaded;
+}
+
+void WindowRenderer::OnDevice::submit(const RingSlot& slot,
+                                      const std::optional<UploadPoint>& uploaded) {
     const VkFence fence = slot.done;
     vk_check(device.context().vk->ResetFences(device.context().device, 1, &fence), "vkResetFences");
-    // What does not use the swapchain's image does not wait for it.
-    Submission scene{.queue = device.context().queue, .commands = slot.commands};
-    if (uploaded.value > 0) scene.waits.push_back(uploaded);
-    submit_commands(device.context(), scene);
+    if (uploaded) {
+        // What does not use the swapchain's image does not wait for it.
+        Submission scene{.queue = device.context().queue, .commands = slot.commands};
+        if (uploaded->value > 0) scene.waits.push_back(*uploaded);
+        submit_commands(device.context(), scene);
+    }
     submit_commands(device.context(), {.queue = device.context().queue,
                                        .commands = slot.picture,
                                        .waits = {{swapchain.acquired(), 0, k_drawing.stages}},
@@ -229,7 +262,7 @@ std::optional<WindowRenderer::Frame> WindowRenderer::draw(const ViewPicture& sce
     for (int losses = 0;; ++losses) {
         try {
             if (!gpu_ || losses > 0) recreate();
-            return draw_once(scene, overlay, quality, capture);
+            return draw_once(&scene, overlay, quality, capture);
         } catch (const Error& error) {
             // A lost surface is reported as no_device. Other errors, as a lack of memory, would repeat. They
             // leave the acquired image and its semaphore in an unknown state, so the next frame creates all
@@ -246,7 +279,19 @@ std::optional<WindowRenderer::Frame> WindowRenderer::draw(const ViewPicture& sce
     }
 }
 
-std::optional<WindowRenderer::Frame> WindowRenderer::draw_once(const ViewPicture& scene,
+bool WindowRenderer::has_kept_picture() const noexcept { return gpu_ && gpu_->has_kept; }
+
+std::optional<WindowRenderer::Frame> WindowRenderer::draw_kept(const OverlayDrawing& overlay,
+                                                               bool capture) {
+    try {
+        return draw_once(nullptr, overlay, {}, capture);
+    } catch (const Error&) {
+        gpu_.reset();  // The next frame begins anew, and tells what repeats.
+        return std::nullopt;
+    }
+}
+
+std::optional<WindowRenderer::Frame> WindowRenderer::draw_once(const ViewPicture* scene,
                                                                const OverlayDrawing& overlay,
                                                                const FrameQuality& quality,
                                                                bool capture) {
@@ -254,35 +299,20 @@ std::optional<WindowRenderer::Frame> WindowRenderer::draw_once(const ViewPicture
     OnDevice::RingSlot& slot = gpu_->ring[ring_slot];
     gpu_->wait_for(slot);
     if (!gpu_->swapchain.acquire(ring_slot, window_->size_px())) return std::nullopt;
-    const VkExtent2D window_extent = gpu_->swapchain.extent();
-    const std::uint32_t scale = quality.scale;
-    const bool is_small = quality.divisor > 1 && gpu_->swapchain.can_be_copied_to();
-    const std::uint32_t divisor = is_small ? quality.divisor : 1;
-    const VkExtent2D extent{(window_extent.width + divisor - 1) / divisor,
-                            (window_extent.height + divisor - 1) / divisor};
-    if (extent.width != gpu_->last_extent.width || extent.height != gpu_->last_extent.height ||
-        scale != gpu_->last_scale)
-        gpu_->wait_for_all();
-    gpu_->last_extent = extent;
-    gpu_->last_scale = scale;
-    gpu_->make_renderer(scene, scale);
-
     const PictureTarget shown = gpu_->shown_target();
-    const PictureTarget target = is_small ? gpu_->smaller_target(divisor) : shown;
-    const UploadPoint uploaded = gpu_->prepare(scene, target);
-    const Commands commands = begin_commands(gpu_->device.context(), slot.commands);
+    Frame frame{};
     const Commands picture = begin_commands(gpu_->device.context(), slot.picture);
-    Frame frame{.report = gpu_->record_scene(commands, picture, scene, target), .picture = {}};
-    vk_check(commands->EndCommandBuffer(commands), "vkEndCommandBuffer");
-    if (is_small) gpu_->record_enlargement(picture, target);
+    std::optional<UploadPoint> uploaded;
+    if (scene) uploaded = gpu_->record_picture(slot, picture, *scene, quality, frame.report);
+    if (gpu_->has_kept)
+        gpu_->record_kept(picture, scene ? k_drawn : VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
     gpu_->record_overlay(picture, ring_slot, overlay);
-    constexpr VkImageLayout k_drawn = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
     constexpr VkImageLayout k_copied = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
     constexpr VkImageLayout k_shown = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR;
     if (capture) {
-        slot.pixels = make_picture_buffer(gpu_->device.context(), window_extent);
+        slot.pixels = make_picture_buffer(gpu_->device.context(), shown.extent);
         record_barrier(picture, k_drawing, k_copying, {{shown, k_drawn, k_copied}});
-        record_read_back(picture, shown.image, window_extent, slot.pixels);
+        record_read_back(picture, shown.image, shown.extent, slot.pixels);
         record_barrier(picture, k_copying, k_no_access, {{shown, k_copied, k_shown}});
     } else {
         record_barrier(picture, k_drawing, k_no_access, {{shown, k_drawn, k_shown}});
@@ -293,7 +323,7 @@ std::optional<WindowRenderer::Frame> WindowRenderer::draw_once(const ViewPicture
     gpu_->swapchain.present();
     if (capture) {
         gpu_->wait_for(slot);
-        frame.picture = read_picture(slot.pixels, window_extent, gpu_->swapchain.format());
+        frame.picture = read_picture(slot.pixels, shown.extent, shown.format);
     }
     return frame;
 }

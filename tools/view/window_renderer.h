@@ -4,9 +4,11 @@
 // frames in flight, and recovers from a lost device or surface. One frame:
 //
 //     wait for the last frame of the ring slot --> acquire an image
-//         --> record the picture (Renderer for a model, SplatRenderer for a cloud);
-//             a coarse one is smaller than the window, and is enlarged
-//         --> record the panel over it --> submit --> present
+//         --> record the picture (Renderer for a model, SplatRenderer for a cloud), and keep it;
+//             a coarse one is smaller than the window
+//         --> copy it into the window, enlarged --> record the panel over it --> submit --> present
+//
+// While only the panel changes, frames show the kept picture.
 //
 // After a loss all these objects are created again and the frame is drawn once more
 // (engine/vulkan/device_loss.h). Mesh, octree and scene are not affected.
@@ -58,6 +60,12 @@ public:
     std::optional<Frame> draw(const ViewPicture& scene, const OverlayDrawing& overlay,
                               const FrameQuality& quality, bool capture = false);
 
+    /// Whether the last picture can be shown again.
+    bool has_kept_picture() const noexcept;
+    /// Presents the last picture again, under another panel. Returns nothing if the window has no size, and after
+    /// an error, which leaves no picture. has_kept_picture() must be true.
+    std::optional<Frame> draw_kept(const OverlayDrawing& overlay, bool capture = false);
+
     /// Draws a picture offscreen and without the panel, as `rimline render` and `points` do.
     Picture picture(const ViewPicture& scene, std::uint32_t width, std::uint32_t height);
 
@@ -72,7 +80,8 @@ public:
 private:
     struct OnDevice;
 
-    std::optional<Frame> draw_once(const ViewPicture& scene, const OverlayDrawing& overlay,
+    // Without a scene, the kept picture.
+    std::optional<Frame> draw_once(const ViewPicture* scene, const OverlayDrawing& overlay,
                                    const FrameQuality& quality, bool capture);
 
     const VulkanInstance* instance_;

@@ -435,7 +435,42 @@ TEST_CASE("coarse pictures of fewer pixels fill the window as the fine one does"
         CHECK(alike > fine.rgba.size() / 4 * 3 / 4);
         CHECK(difference(fine, frame->picture) > 50);
     }
-    CHECK(difference(fine, shown.capture()) == 0);
+    const auto again = shown.loop->renderer().draw(
+        shown.session.picture(ImageSize{k_width, k_height}), {}, {}, true);
+    REQUIRE(again);
+    CHECK(difference(fine, again->picture) == 0);
+}
+
+// The mouse comes to a place of the window.
+void point_at(const Window& window, double x, double y) {
+    const GLFWcursorposfun handler = glfwSetCursorPosCallback(window.handle(), nullptr);
+    handler(window.handle(), x, y);
+    glfwSetCursorPosCallback(window.handle(), handler);
+}
+
+TEST_CASE("while the mouse moves over the panel the picture stays as fine as it is") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = true});
+    shown.resize(900, 500);
+    const Picture fine = shown.capture_at_rest();
+    const std::size_t frames = shown.loop->picture_count();
+    for (int i = 0; i < 12; ++i) {
+        point_at(shown.window, 100.0 + 5.0 * i, 40.0 + 20.0 * i);
+        const Picture kept = shown.capture();
+        CHECK_FALSE(shown.loop->is_coarse());
+        CHECK(changed_pixels(fine, kept)[1] == 0);
+    }
+    CHECK(shown.loop->picture_count() == frames);
+    // What the picture shows changes it.
+    shown.session.appearance.line_width_px *= 2.0f;
+    CHECK(changed_pixels(fine, shown.capture())[1] > 100);
+    shown.capture_at_rest();
+    shown.resize(901, 500);
+    CHECK(shown.capture().width == 901);
+    // One that is lost is drawn again.
+    const Picture wide = shown.capture_at_rest();
+    shown.loop->renderer().recreate();
+    CHECK(changed_pixels(wide, shown.capture_at_rest())[1] == 0);
 }
 
 TEST_CASE("a moving picture gets coarser while its frames are slow, and finer again") {
