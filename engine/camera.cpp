@@ -32,6 +32,11 @@ double near_plane(const Projection& projection) {
     return near;
 }
 
+// The eye.z of an orthographic projection's near plane: the nearer one of its planes of depth 0 and 1.
+double orthographic_near(const Projection& projection) {
+    return std::max(-projection.z[1] / projection.z[0], (1.0 - projection.z[1]) / projection.z[0]);
+}
+
 [[noreturn]] void refuse_matrix(const char* why) {
     throw Error(ErrorCode::bad_input, std::string("the projection matrix ") + why);
 }
@@ -60,8 +65,10 @@ Projection make_projection(const Camera& camera, double aspect, const glm::dvec3
     // Depth decreases from 1 at eye.z = near to 0 at eye.z = far.
     const double center_z =
         glm::dot(glm::normalize(camera.eye - camera.target), scene_center - camera.eye);
-    const double near = center_z + 1.01 * scene_radius;
-    const double far = center_z - 1.01 * scene_radius;
+    double near = center_z + 1.01 * scene_radius;
+    if (given) near = std::min(near, orthographic_near(*given));
+    // All of the scene may lie before the near plane.
+    const double far = std::min(center_z - 1.01 * scene_radius, near - scene_radius);
     const glm::dvec2 z(1.0 / (near - far), -far / (near - far));
     if (given) return {given->scale, z, {0.0, 1.0}, given->shift};
     const double scale = 2.0 / camera.ortho_height;

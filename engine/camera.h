@@ -35,7 +35,7 @@ struct Camera {
     double ortho_height = 0.0;  ///< Greater than 0: orthographic, with this picture height.
 
     /// Instead of fov_y_deg and ortho_height: the projection of another renderer (projection_of()), of any depth
-    /// convention. Nothing is clipped at its far plane.
+    /// convention. What lies before its near plane is clipped, and nothing at its far plane.
     std::optional<Projection> projection;
 
     bool is_orthographic() const noexcept {
@@ -45,7 +45,8 @@ struct Camera {
 };
 
 /// The projection that a matrix describes, for Vulkan's clip space: y down, depth from 0 to 1 or from 1 to 0,
-/// the viewer at the origin and looking along -z. The far plane may be at infinity. Throws Error{bad_input} for
+/// the viewer at the origin and looking along -z, in right-handed coordinates. The far plane may be at infinity. A
+/// renderer with y up, which has a viewport of negative height, negates the matrix's second row first. Throws Error{bad_input} for
 /// a matrix that mirrors, turns or skews the picture, or that has no near plane before the viewer.
 Projection projection_of(const glm::dmat4& matrix);
 

@@ -40,13 +40,7 @@ const FrameReport& Renderer::report() const noexcept { return frames_->report();
 
 std::optional<SilhouetteBuffers> Renderer::silhouette(std::size_t instance,
                                                       std::optional<std::size_t> light) const {
-    const TrackedSilhouette* silhouette = frames_->silhouette(instance, light);
-    if (silhouette == nullptr) return std::nullopt;
-    const ChangeStream& stream = silhouette->stream();
-    return SilhouetteBuffers{.point = silhouette->point(),
-                             .slots = stream.slots().address(),
-                             .face_words = stream.face_words().address(),
-                             .arguments = stream.arguments().address()};
+    return frames_->silhouette(instance, light);
 }
 
 std::uint64_t Renderer::differences() const noexcept { return frames_->differences(); }

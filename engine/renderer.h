@@ -34,32 +34,40 @@ struct DeviceContext;
 class FramesInFlight;
 class RenderTargets;
 
-/// The silhouette of one instance in device memory, as the frame recorded last left it: for a caller's own
-/// shaders. The addresses stay the same while Renderer keeps the silhouette (Renderer::render()).
+/// A buffer from its first byte: for commands, and for shaders.
+struct BufferHandle {
+    VkBuffer buffer = VK_NULL_HANDLE;
+    VkDeviceAddress address = 0;
+};
+
+/// The silhouette of one instance in device memory, as the frame recorded last leaves it: for a caller's own commands
+/// after that frame. The frame makes it visible to draws that read it as indirect arguments, and to compute, vertex,
+/// geometry and fragment shaders as storage; for other uses, as a copy or an index buffer, add a barrier after
+/// compute shaders and copies. The buffers stay the same while Renderer keeps the silhouette (Renderer::render()).
 struct SilhouetteBuffers {
-    HomogeneousPoint point;     ///< The silhouette point, in the instance's coordinates.
-    VkDeviceAddress slots = 0;  ///< Edge numbers, 32 bits each; as many as the arguments draw.
-    VkDeviceAddress face_words =
-        0;  ///< One bit a face, 32 to a word (silhouette/mesh/face_bits.h).
+    HomogeneousPoint point;   ///< The silhouette point, in the instance's coordinates.
+    BufferHandle slots;       ///< Edge numbers, 32 bits each; as many as the arguments draw.
+    BufferHandle face_words;  ///< One bit a face, 32 to a word (silhouette/mesh/face_bits.h).
     /// Four VkDrawIndirectCommand, to draw the slots as points, as strips of four vertices, or as sides of
     /// shadow volumes (SlotArguments in shaders/layout.h). The first one's vertex count is the silhouette's
     /// size.
-    VkDeviceAddress arguments = 0;
+    BufferHandle arguments;
 };
 
 class Renderer {
 public:
     /// The context's device must outlive the renderer.
     Renderer(const DeviceContext& context, const RendererOptions& options = {});
+    /// Waits for the frames of submit() and for the copies of prepare(). On Mesa's CPU device (lavapipe), if there were
+    /// copies, it submits to the queue, under its lock, and waits for all that the queue has to do.
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
     /// Draws `scene` as a picture of the given size, and waits for it. Trackers and streams are kept from
-    /// one call to the next for an instance with the same octree at the same index, and within it for
-    /// lights by index; meshes are kept while each scene has them. An octree must not be replaced by
-    /// another at its address in between. A mesh that deforms is kept by its address likewise; its lines
-    /// need a line path that draws slots (RendererOptions::line_path). Where the device cannot hold
+    /// one call to the next while each scene has an instance of the same octree, at whatever index, and within it for
+    /// lights by index; instances of one octree are told apart by their order. Meshes are kept likewise. A mesh that
+    /// deforms is kept by its address; its lines need a line path that draws slots (RendererOptions::line_path). Where the device cannot hold
     /// options.scale pixels along each side of a pixel, fewer are taken; throws Error{too_large} naming the
     /// limit where not even one fits. After an error the next call works as the first.
     Picture render(const Scene& scene, std::uint32_t width, std::uint32_t height) {
@@ -88,15 +96,15 @@ public:
     /// Copies of new meshes are submitted to the context's queue for copies, under its lock. They are not
     /// waited for, but where more than UploadBatch::k_max_staged_bytes (uploads.h) are copied. The next
     /// submission of a recorded frame must wait for the point returned; later ones may too. For a target of
-    /// another size or scale, and for the first layer (PictureUse), the GPU must be done with all recorded
-    /// frames. Throws as render(), and Error{bad_input} for a target that cannot be drawn into, or a backdrop
-    /// that cannot be read.
+    /// another size or scale, for the first layer (PictureUse), and where the default scale is not 1, as on CPU
+    /// devices, for a backdrop that comes or goes, the GPU must be done with all recorded frames. Throws as render(),
+    /// and Error{bad_input} where it is not done, for a target that cannot be drawn into, and for a backdrop that
+    /// cannot be read.
     [[nodiscard]] UploadPoint prepare(const Scene& scene, const PictureTarget& target);
 
     /// Records everything of a frame into `commands`: change sets, passes, the picture into `target`. Never
     /// submits, waits for the GPU or makes a pipeline: everything must be prepared.
-    /// The commands are outside a render pass, for the context's queue family or one that draws and
-    /// computes too. The caller submits them in the order of recording, and
+    /// The commands are outside a render pass, for the context's queue family. The caller submits them in the order of recording, and
     ///   - records a frame only when the GPU is done with the frame recorded
     ///     RendererOptions::frames_in_flight before;
     ///   - destroys the renderer only when the GPU is done.
@@ -124,7 +132,7 @@ public:
     const FrameReport& report() const noexcept;
 
     /// The silhouette of an instance from a light, or from the camera where no light is given. Nothing where
-    /// the last frame needed none. Throws std::out_of_range for an index not in the scene.
+    /// the frame recorded last has none: it needed none, or the scene had no such instance or light. O(log silhouettes).
     std::optional<SilhouetteBuffers> silhouette(std::size_t instance,
                                                 std::optional<std::size_t> light) const;
 

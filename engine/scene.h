@@ -40,13 +40,14 @@ struct Material {
     bool lines_in_mesh_colors = false;
 };
 
-/// A mesh placed in the world: world = rotation * object + translation. The octree and its mesh must
-/// outlive every renderer that has drawn them.
+/// A mesh placed in the world: world = rotation * object + translation. The octree and its mesh must live until a
+/// renderer that has drawn them prepares or draws a scene without them, or is destroyed; afterwards it does not read
+/// them, and others may have their addresses.
 struct SceneInstance {
     const HoughOctree* octree = nullptr;  ///< Null for a mesh that deforms.
     std::string name = "a model";         ///< For messages; the name of its file, for example.
     /// A mesh whose vertices move, instead of the octree's. Its silhouettes are found on the GPU. It must
-    /// outlive every renderer that has drawn it. Drawing it throws Error{no_device} on a device without
+    /// live as long as an octree. Drawing it throws Error{no_device} on a device without
     /// DeviceFacts::round_to_nearest_float32.
     const Mesh* deforming = nullptr;
     Deformation deformation;  ///< Of `deforming`, in this frame.

@@ -94,6 +94,7 @@ const char* why_not_pass(const Box& box, const ShadowView& view, const ShadowCas
             if (!(glm::dot(view.back, extruded(caster, start)) < view.far))
                 return "the volume may end before the far plane";
         }
+        if (!is_outside(view, box.low, box.high)) return "the near plane may cut the mesh";
         return nullptr;
     }
     const glm::dvec3 light = light_vector(caster);
@@ -122,7 +123,9 @@ bool ends_in_one_point(const Box& box, const ShadowView& view, const ShadowCaste
 }  // namespace
 
 bool is_outside(const ShadowView& view, const glm::dvec3& low, const glm::dvec3& high) {
-    return view.orthographic || !contains(grown({low, high}, view.near_reach), view.eye);
+    if (!view.orthographic) return !contains(grown({low, high}, view.near_reach), view.eye);
+    const glm::dvec3 nearest = glm::mix(low, high, glm::greaterThan(view.back, glm::dvec3(0.0)));
+    return glm::dot(view.back, nearest) < view.near;
 }
 
 bool is_closed_chain(const Mesh& mesh) {

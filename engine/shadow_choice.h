@@ -19,7 +19,8 @@
 // behind everything. So sides alone are enough, if the volume does not meet the near plane. The volume meets
 // a ball around the eye exactly if the caster meets the path from the ball to the light, a segment or, for a
 // directional light, a ray, as thick as the ball. Here the ball contains the near rectangle, and the caster
-// is its bounding box. Orthographic volumes are finite, and must end behind the far plane.
+// is its bounding box. Orthographic volumes are finite, and must end behind the far plane; the near plane must not cut
+// the caster, and may cut the volume, because depth is clamped there.
 //
 // One end. The rays of a point light L from all points go through infinity and meet again in L with its signs turned,
 // -L. So a side is the triangle of its edge and -L, as for directional lights, whose rays meet at infinity; it is half as
@@ -35,6 +36,7 @@
 #include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
 
 #include "silhouette/mesh/homogeneous_point.h"
 
@@ -84,10 +86,13 @@ struct ShadowView {
     double near_reach =
         0.0;  ///< Perspective: distance from the eye to the near rectangle's corners.
     glm::dvec3 back{0.0, 0.0, 1.0};  ///< Towards the viewer, a unit vector.
-    double far = 0.0;                ///< Orthographic: the far plane is back·x = far.
+    double far = 0.0;                ///< Orthographic: the far plane is back·x = far,
+    /// and the near plane back·x = near; infinite where it is before all of the scene.
+    double near = std::numeric_limits<double>::infinity();
 };
 
-/// Whether a perspective view's eye and near rectangle are outside a box. Orthographic: always true.
+/// Whether a perspective view's eye and near rectangle are outside a box. Orthographic: whether the box is behind the
+/// near plane.
 bool is_outside(const ShadowView& view, const glm::dvec3& low, const glm::dvec3& high);
 
 /// A caster before one light.

@@ -179,10 +179,12 @@ private:
             const GpuSilhouette& silhouette = state.deforming->camera(point, frame_.deformed);
             drawn.silhouette = {silhouette.arguments().handle()};
             report.bytes_full += face_bits_bytes(drawn.face_count);
+            frame_.add_buffers({i, std::nullopt}, point, silhouette);
             return silhouette.slots().address();
         }
         if (!draws_slots(parts_.line_path)) return 0;
         const ChangeStream& stream = follow(*state.camera, point);
+        frame_.add_buffers({i, std::nullopt}, point, stream);
         drawn.silhouette = {stream.arguments().handle()};
         report.camera += state.camera->changes();
         report.silhouette += stream.silhouette_size();
@@ -332,10 +334,12 @@ private:
             data.slots = silhouette.slots().address();
             data.face_words = silhouette.face_words().address();
             light.sides = {silhouette.arguments().handle()};
+            frame_.add_buffers({i, l}, point, silhouette);
             frame_.report.bytes_full += face_bits_bytes(drawn.face_count);
             return;
         }
         const ChangeStream& stream = follow(*state.lights[l], point);
+        frame_.add_buffers({i, l}, point, stream);
         data.slots = stream.slots().address();
         data.face_words = stream.face_words().address();
         light.sides = {stream.arguments().handle()};

@@ -86,7 +86,11 @@ void FramesInFlight::prepare_targets(const Scene& scene, const PictureTarget& ta
     if (passes_.has_targets_for(scene, target)) return;
     wait_for(submitted_);
     for (std::uint32_t slot = 0; slot < frames_.size(); ++slot)
-        RIMLINE_CHECK(frames_[slot].timeline_value != 0 || is_done(slot));
+        if (frames_[slot].timeline_value == 0 && !is_done(slot))
+            throw Error(ErrorCode::bad_input,
+                        "prepare(): a target of another size or scale, the first layer and a "
+                        "backdrop that comes or goes need other images, while frames that were "
+                        "recorded before still use these: wait for them");
     passes_.make_targets(scene, target);
 }
 
@@ -125,6 +129,7 @@ FrameReport FramesInFlight::record_frame(Commands commands, Commands picture, co
     RecordedFrame& recorded = frame.recorded;
     recorded.started = std::chrono::steady_clock::now();
     recorded.silhouettes.clear();
+    recorded.buffers.clear();
     recorded.deformed.clear();
     recorded.report = {.meshes_uploaded = uploaded_.meshes, .bytes_uploaded = uploaded_.bytes};
     if (is_callers) recorded.report.passes = clock_.take(slot);
@@ -277,10 +282,11 @@ void FramesInFlight::count_differences(std::uint32_t slot) {
     differences_ += report.differences;
 }
 
-const TrackedSilhouette* FramesInFlight::silhouette(std::size_t instance,
-                                                    std::optional<std::size_t> light) const {
-    const InstanceState& state = instances_.all().at(instance);
-    return light ? state.lights.at(*light).get() : state.camera.get();
+std::optional<SilhouetteBuffers> FramesInFlight::silhouette(
+    std::size_t instance, std::optional<std::size_t> light) const {
+    if (recorded_ == 0) return std::nullopt;
+    const Frame& last = frames_[(recorded_ - 1) % frames_.size()];
+    return last.number == recorded_ ? last.recorded.buffers_of(instance, light) : std::nullopt;
 }
 
 }  // namespace rimline

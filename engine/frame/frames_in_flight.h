@@ -51,8 +51,8 @@ public:
     void set_scale(std::uint32_t scale) noexcept { passes_.set_scale(scale); }
 
     const FrameReport& report() const noexcept { return report_; }
-    const TrackedSilhouette* silhouette(std::size_t instance,
-                                        std::optional<std::size_t> light) const;
+    std::optional<SilhouetteBuffers> silhouette(std::size_t instance,
+                                                std::optional<std::size_t> light) const;
     std::uint64_t differences() const noexcept { return differences_; }
     std::uint64_t stream_bytes() const noexcept { return instances_.stream_bytes(); }
     std::uint64_t tracker_bytes() const noexcept { return instances_.tracker_bytes(); }

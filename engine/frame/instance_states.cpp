@@ -1,6 +1,10 @@
 #include "engine/frame/instance_states.h"
 
 #include <algorithm>
+#include <limits>
+#include <set>
+#include <type_traits>
+#include <utility>
 
 #include "engine/frame/silhouette_points.h"
 #include "silhouette/hough/hough_octree.h"
@@ -9,9 +13,17 @@ namespace rimline {
 
 namespace {
 
+// What a state is of: its mesh, and its octree, where the mesh does not deform.
+using Content = std::pair<const Mesh*, const HoughOctree*>;
+
+Content content_of(const SceneInstance& instance) {
+    return {&instance.mesh(), instance.deforming ? nullptr : instance.octree};
+}
+
+Content content_of(const InstanceState& state) { return {state.source, state.octree}; }
+
 bool is_of(const InstanceState& state, const SceneInstance& instance) {
-    return state.source == &instance.mesh() &&
-           state.octree == (instance.deforming ? nullptr : instance.octree);
+    return content_of(state) == content_of(instance);
 }
 
 }  // namespace
@@ -30,34 +42,66 @@ InstanceStates::InstanceStates(const DeviceContext& context, SilhouetteService& 
 // Allocates the entry before anything is moved into it: if the allocation fails, nothing is freed that a
 // frame may still read.
 InstanceStates::Retired& InstanceStates::next_retired() {
-    return retired_.emplace_back(Retired{recorded_, nullptr, nullptr, nullptr, nullptr});
+    return retired_.emplace_back(Retired{recorded_, std::nullopt, nullptr, nullptr, nullptr});
 }
 
 void InstanceStates::retire(std::unique_ptr<TrackedSilhouette>& silhouette) {
-    if (silhouette) next_retired().silhouette = std::move(silhouette);
+    if (!silhouette) return;
+    next_retired().stream.emplace(silhouette->take_stream());
+    silhouette.reset();
 }
 
 void InstanceStates::retire(InstanceState& state) {
     retire(state.camera);
     for (std::unique_ptr<TrackedSilhouette>& light : state.lights) retire(light);
     if (state.deforming) next_retired().deforming = std::move(state.deforming);
-    unused_meshes_ = true;
     state = {};
 }
 
-void InstanceStates::retire_unused_meshes() {
-    if (!unused_meshes_) return;
+void InstanceStates::retire_unused_meshes(const Scene& scene) {
+    std::set<const Mesh*> used;
+    for (const SceneInstance& instance : scene.instances) used.insert(&instance.mesh());
     for (auto& [mesh, uploaded] : meshes_)
-        if (std::ranges::none_of(instances_, [&](const InstanceState& state) {
-                return state.mesh == uploaded.get();
-            }))
-            next_retired().mesh = std::move(uploaded);
+        if (!used.contains(mesh)) next_retired().mesh = std::move(uploaded);
     std::erase_if(meshes_, [](const auto& entry) { return !entry.second; });
-    std::erase_if(casters_, [&](const auto& caster) {
-        return std::ranges::none_of(
-            instances_, [&](const InstanceState& state) { return state.caster == &caster.second; });
-    });
-    unused_meshes_ = false;
+    std::erase_if(casters_, [&](const auto& entry) { return !used.contains(entry.first); });
+}
+
+void InstanceStates::free_retired(const Frames& frames) {
+    if (!retired_.empty() && uploads_.is_done())
+        std::erase_if(retired_, [&](const Retired& retired) {
+            return retired.last_frame < frames.first_running;
+        });
+}
+
+// Each state to the index of its instance; those of instances that the scene has no more come after all others.
+// Instances of one octree keep their order where others of it are removed.
+void InstanceStates::place(const Scene& scene) {
+    const std::size_t size = scene.instances.size();
+    constexpr std::size_t k_none = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> places(instances_.size(), k_none);
+    std::vector<bool> is_taken(size);
+    for (std::size_t i = 0; i < std::min(size, instances_.size()); ++i)
+        if (is_of(instances_[i], scene.instances[i])) {
+            places[i] = i;
+            is_taken[i] = true;
+        }
+    std::multimap<Content, std::size_t> others;
+    for (std::size_t i = 0; i < instances_.size(); ++i)
+        if (places[i] == k_none) others.emplace(content_of(instances_[i]), i);
+    for (std::size_t i = 0; i < size && !others.empty(); ++i) {
+        if (is_taken[i]) continue;
+        const Content content = content_of(scene.instances[i]);
+        const auto found = others.lower_bound(content);
+        if (found == others.end() || found->first != content) continue;
+        places[found->second] = i;
+        others.erase(found);
+    }
+    std::vector<InstanceState> placed(size + others.size());
+    std::size_t next = size;
+    for (std::size_t i = 0; i < instances_.size(); ++i)
+        placed[places[i] == k_none ? next++ : places[i]] = std::move(instances_[i]);
+    instances_.swap(placed);
 }
 
 // The mesh on the GPU; its upload may be in progress.
@@ -98,19 +142,14 @@ void InstanceStates::make(InstanceState& state, const SceneInstance& instance, U
 
 void InstanceStates::prepare(const Scene& scene, const Frames& frames, Uploaded& uploaded) {
     recorded_ = frames.recorded;
-    if (!retired_.empty() && uploads_.is_done())
-        std::erase_if(retired_, [&](const Retired& retired) {
-            return retired.last_frame < frames.first_running;
-        });
-    for (std::size_t i = scene.instances.size(); i < instances_.size(); ++i) retire(instances_[i]);
-    instances_.resize(scene.instances.size());
-    for (std::size_t i = 0; i < instances_.size(); ++i) {
-        InstanceState& state = instances_[i];
-        const SceneInstance& instance = scene.instances[i];
-        if (!is_of(state, instance)) {
-            retire(state);
-            make(state, instance, uploaded);
-        }
+    if (!has_instances(scene)) {
+        place(scene);
+        for (std::size_t i = scene.instances.size(); i < instances_.size(); ++i)
+            retire(instances_[i]);
+        instances_.resize(scene.instances.size());
+        retire_unused_meshes(scene);
+    }
+    for (InstanceState& state : instances_) {
         for (std::size_t l = scene.lights.size(); l < state.lights.size(); ++l)
             retire(state.lights[l]);
         state.lights.resize(scene.lights.size());
@@ -119,7 +158,10 @@ void InstanceStates::prepare(const Scene& scene, const Frames& frames, Uploaded&
         while (state.deforming && state.deforming->light_count() > scene.lights.size())
             next_retired().gpu_silhouette = state.deforming->take_last_light();
     }
-    retire_unused_meshes();
+    free_retired(frames);
+    for (std::size_t i = 0; i < instances_.size(); ++i)
+        if (!is_of(instances_[i], scene.instances[i]))
+            make(instances_[i], scene.instances[i], uploaded);
 }
 
 void InstanceStates::prepare_silhouettes(const FrameView& view) {
@@ -152,13 +194,14 @@ void InstanceStates::prepare_silhouettes(const FrameView& view) {
     }
 }
 
+bool InstanceStates::has_instances(const Scene& scene) const {
+    return std::ranges::equal(instances_, scene.instances, is_of);
+}
+
 bool InstanceStates::is_prepared(const Scene& scene) const {
-    if (instances_.size() != scene.instances.size()) return false;
-    for (std::size_t i = 0; i < instances_.size(); ++i)
-        if (!is_of(instances_[i], scene.instances[i]) ||
-            instances_[i].lights.size() != scene.lights.size())
-            return false;
-    return true;
+    return has_instances(scene) && std::ranges::all_of(instances_, [&](const InstanceState& state) {
+               return state.lights.size() == scene.lights.size();
+           });
 }
 
 bool InstanceStates::has_silhouettes(const FrameView& view) const {

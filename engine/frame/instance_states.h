@@ -1,13 +1,14 @@
 #pragma once
 
 // The state a renderer keeps of a scene between frames: its meshes on the GPU, each once, and for each
-// instance the silhouettes from the camera and the lights, or its deforming mesh. State of what has left the
-// scene is freed when no frame can read it any more.
+// instance the silhouettes from the camera and the lights, or its deforming mesh. Trackers of what has left the
+// scene are freed at once, and the rest of its state when no frame can read it any more.
 
 #include <cstdint>
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/frame/caster_mesh.h"
@@ -65,7 +66,7 @@ public:
                    const Options& options);
 
     /// Adds the state of new instances and lights, begins to upload new meshes, and retires the state of
-    /// what the scene no longer has. Throws Error{too_large} where memory or a budget does not suffice.
+    /// what the scene no longer has: meshes and octrees that it has no more are not read again. Throws Error{too_large} where memory or a budget does not suffice.
     /// Adds what it uploads to `uploaded`.
     void prepare(const Scene& scene, const Frames& frames, Uploaded& uploaded);
     /// Makes missing silhouettes, and announces all points to the service before the first is waited for.
@@ -94,7 +95,7 @@ private:
     // State that has left the scene; frames up to `last_frame` may still read it.
     struct Retired {
         std::uint64_t last_frame;
-        std::unique_ptr<TrackedSilhouette> silhouette;
+        std::optional<ChangeStream> stream;
         std::unique_ptr<GpuMesh> mesh;
         std::unique_ptr<DeformingInstance> deforming;
         std::unique_ptr<GpuSilhouette> gpu_silhouette;
@@ -107,7 +108,11 @@ private:
     Retired& next_retired();
     void retire(std::unique_ptr<TrackedSilhouette>& silhouette);
     void retire(InstanceState& state);
-    void retire_unused_meshes();
+    void retire_unused_meshes(const Scene& scene);
+    void free_retired(const Frames& frames);
+    void place(const Scene& scene);
+    // Whether each instance of the scene has its state at its index.
+    bool has_instances(const Scene& scene) const;
     const GpuMesh& upload(const Mesh& mesh, Uploaded& uploaded);
     void make(InstanceState& state, const SceneInstance& instance, Uploaded& uploaded);
 
@@ -122,7 +127,6 @@ private:
     std::vector<InstanceState> instances_;
     std::vector<Retired> retired_;
     std::uint64_t recorded_ = 0;  // Frames::recorded of the last prepare().
-    bool unused_meshes_ = false;  // Whether meshes_ may hold one that no instance has.
     Uploads uploads_;  // Declared after the meshes: its destructor waits for their uploads.
 };
 

@@ -67,8 +67,10 @@ ShadowView shadow_view(const FrameView& view, const SceneInstance& instance) {
         shadow.near_reach = near * glm::length(glm::dvec3(
                                        (1.0 + glm::abs(projection.shift)) / projection.scale, 1.0));
     } else {
-        // Depth ends at -z[1] / z[0] along the view.
-        shadow.far = glm::dot(shadow.back, shadow.eye) - projection.z[1] / projection.z[0];
+        // Depth ends at -z[1] / z[0] along the view, and begins at (1 - z[1]) / z[0].
+        const double eye = glm::dot(shadow.back, shadow.eye);
+        shadow.far = eye - projection.z[1] / projection.z[0];
+        if (scene.camera.projection) shadow.near = eye + (1.0 - projection.z[1]) / projection.z[0];
     }
     return shadow;
 }

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/silhouette_changes.h"
@@ -39,6 +40,8 @@ public:
     }
 
     const ChangeStream& stream() const noexcept { return stream_; }
+    /// For frames that still read it when this object goes, with its tracker. Nothing else may be called afterwards.
+    ChangeStream take_stream() noexcept { return std::move(stream_); }
     /// The point of the last follow().
     const HomogeneousPoint& point() const noexcept { return follower_.point(); }
     /// The changes of the last follow().

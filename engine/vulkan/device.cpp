@@ -126,6 +126,12 @@ std::vector<DeviceFacts> describe_devices(const VulkanInstance& instance, VkSurf
     return facts;
 }
 
+DeviceFacts describe_device(VkInstance instance, VkPhysicalDevice device,
+                            PFN_vkGetInstanceProcAddr loader) {
+    return describe(load_instance_functions(loader ? loader : system_loader(), instance), device,
+                    VK_NULL_HANDLE);
+}
+
 Device::Device(const VulkanInstance& instance, const DeviceRequest& request,
                const std::filesystem::path& cache_folder, VkSurfaceKHR surface) {
     const std::vector<DeviceFacts> all = describe_devices(instance, surface);

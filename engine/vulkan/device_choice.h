@@ -13,7 +13,7 @@
 
 namespace rimline {
 
-/// The facts that the choice depends on: from describe_devices(), or made up by a test.
+/// The facts that the choice depends on: from describe_devices() or describe_device() (device.h), or made up by a test.
 struct DeviceFacts {
     std::string name;
     std::string driver;

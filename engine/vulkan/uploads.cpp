@@ -11,10 +11,19 @@ Uploads::Uploads(const DeviceContext& context)
     : context_(context), timeline_(make_timeline(context, "uploads")) {}
 
 Uploads::~Uploads() {
-    // By the specification, frames that waited for the timeline no longer use it when they have ended. But
-    // Mesa's queues (22.3) access it once more afterwards, until the next submission begins.
-    drain(context_, context_.transfer_queue);
-    if (context_.queue != context_.transfer_queue) drain(context_, context_.queue);
+    if (sent_ == 0) return;
+    // By the specification, frames that waited for the timeline no longer use it when they have ended. But the
+    // queues of Mesa's lavapipe (22.3) access it once more afterwards, until the next submission begins.
+    if (context_.driver == VK_DRIVER_ID_MESA_LLVMPIPE) {
+        drain(context_, context_.transfer_queue);
+        if (context_.queue != context_.transfer_queue) drain(context_, context_.queue);
+        return;
+    }
+    try {
+        wait();
+    } catch (const Error&) {
+        // A lost device copies nothing any more.
+    }
 }
 
 void Uploads::wait() {

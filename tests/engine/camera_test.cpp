@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -66,6 +67,30 @@ TEST_CASE(
     CHECK(near < 1.0);
     CHECK(near > far);
     CHECK(far > 0.0);
+}
+
+TEST_CASE(
+    "the near plane of another renderer's parallel projection clips as its perspective's does") {
+    for (const bool reversed : {false, true}) {
+        // Depth of eye.z = -2 and of eye.z = -12.
+        const glm::dvec2 depths = reversed ? glm::dvec2(1.0, 0.0) : glm::dvec2(0.0, 1.0);
+        const double slope = (depths[0] - depths[1]) / 10.0;
+        const Projection host{
+            .scale = {0.5, -0.5}, .z = {slope, depths[0] + 2.0 * slope}, .w = {0.0, 1.0}};
+        const Camera camera{
+            .eye = {0, 0, 5}, .target = {0, 0, 0}, .up = {0, 1, 0}, .projection = host};
+        // It is at z = 3: within the scene, before it, and behind it.
+        for (const double radius : {4.0, 1.0}) {
+            const Projection projection = make_projection(camera, 1.0, {0, 0, 0}, radius);
+            CHECK(project(camera, projection, {0, 0, std::min(2.99, radius)}).z < 1.0);
+            CHECK(project(camera, projection, {0, 0, -radius}).z > 0.0);
+            if (radius == 4.0) CHECK(project(camera, projection, {0, 0, 3.01}).z > 1.0);
+        }
+        const Projection behind = make_projection(camera, 1.0, {0, 0, 9}, 1.0);
+        CHECK(project(camera, behind, {0, 0, 8}).z > 1.0);
+        CHECK(std::isfinite(behind.z[0]));
+        CHECK(behind.z[0] > 0.0);
+    }
 }
 
 TEST_CASE("looking along the up axis still gives a rotation") {

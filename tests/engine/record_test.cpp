@@ -305,6 +305,46 @@ TEST_CASE("what leaves the scene stays until the caller's frames that read it ar
     }
 }
 
+TEST_CASE("other images are not made while frames that use the old ones may run") {
+    RIMLINE_OPEN_GPU(gpu);
+    const tests::Model model(make_built_in_shape("knot", 1500));
+    Renderer renderer(gpu->context(), k_record_plain);
+    Caller caller(gpu->context(), VK_FORMAT_R8G8B8A8_UNORM);
+    Caller other(gpu->context(), VK_FORMAT_R8G8B8A8_UNORM, 1, {96, 64});
+    caller.draw(renderer, scene_at(model, 0), false);
+    const PictureTarget target = other.target(VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+    try {
+        (void)renderer.prepare(scene_at(model, 0), target);
+        FAIL("it was prepared");
+    } catch (const Error& error) {
+        CHECK(error.code() == ErrorCode::bad_input);
+        CHECK(std::string(error.what()).find("wait for them") != std::string::npos);
+    }
+    renderer.forget_recorded();
+    CHECK(other.draw(renderer, scene_at(model, 0)).silhouette > 0);
+    CHECK(other.pixels().size() > 0);
+}
+
+// Counts how often the library takes it.
+class CountedLock : public QueueMutex {
+public:
+    void lock() override { ++count; }
+    void unlock() override {}
+    int count = 0;
+};
+
+TEST_CASE("a renderer that has uploaded nothing takes no lock of the queue, from first to last") {
+    RIMLINE_OPEN_GPU(gpu);
+    CountedLock counted;
+    DeviceContext context = gpu->context();
+    context.queue_mutex = &counted;
+    { const Renderer renderer(context, k_record_plain); }
+    CHECK(counted.count == 0);
+    const tests::Model model(make_built_in_shape("knot", 1500));
+    Renderer(context, k_record_plain).render(scene_at(model, 0), 32, 32);
+    CHECK(counted.count > 0);
+}
+
 TEST_CASE("after a command buffer that is never submitted the next frame is whole and right") {
     RIMLINE_OPEN_GPU(gpu);
     const tests::Model model(make_built_in_shape("knot", 3000));

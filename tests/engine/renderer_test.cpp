@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <ranges>
+#include <utility>
 
 #include "engine/stream/tracked_silhouette.h"
 #include "engine/view_defaults.h"
@@ -200,23 +203,92 @@ TEST_CASE("instances and lights that stay keep their trackers when others come a
     Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
     Scene scene = scene_of(mesh, octree, Style::ink);
     renderer.render(scene, 64, 64);
-    const VkDeviceAddress kept = renderer.silhouette(0, 0)->slots;
+    const VkDeviceAddress kept = renderer.silhouette(0, 0)->slots.address;
     const std::uint64_t full = renderer.report().bytes_full;
 
     scene.instances.push_back({.octree = &other_octree});
     renderer.render(scene, 64, 64);
-    CHECK(renderer.silhouette(0, 0)->slots == kept);
+    CHECK(renderer.silhouette(0, 0)->slots.address == kept);
     CHECK(renderer.report().bytes_streamed == renderer.report().bytes_full - full);
 
     scene.lights.push_back({.vector = {0, 1, 0}, .directional = true});
     renderer.render(scene, 64, 64);
-    CHECK(renderer.silhouette(0, 0)->slots == kept);
+    CHECK(renderer.silhouette(0, 0)->slots.address == kept);
 
     scene.lights.pop_back();
     scene.instances.pop_back();
     renderer.render(scene, 64, 64);
-    CHECK(renderer.silhouette(0, 0)->slots == kept);
+    CHECK(renderer.silhouette(0, 0)->slots.address == kept);
     CHECK(renderer.report().bytes_streamed == 0);
+
+    // At another index too, as where others are culled.
+    scene.instances.insert(scene.instances.begin(), 2, {.octree = &other_octree});
+    renderer.render(scene, 64, 64);
+    CHECK(renderer.silhouette(2, 0)->slots.address == kept);
+    const VkDeviceAddress second = renderer.silhouette(1, 0)->slots.address;
+    CHECK(renderer.silhouette(0, 0)->slots.address != second);
+    std::swap(scene.instances[0], scene.instances[2]);
+    renderer.render(scene, 64, 64);
+    CHECK(renderer.silhouette(0, 0)->slots.address == kept);
+    CHECK(renderer.silhouette(1, 0)->slots.address == second);
+    CHECK(renderer.report().bytes_streamed == 0);
+    scene.instances.pop_back();
+    scene.instances.erase(scene.instances.begin());
+    renderer.render(scene, 64, 64);
+    CHECK(renderer.silhouette(0, 0)->slots.address == second);
+    CHECK(renderer.report().bytes_streamed == 0);
+    CHECK(renderer.report().meshes_uploaded == 0);
+}
+
+TEST_CASE("buffers of a silhouette are those of the frame recorded last, or none") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Mesh mesh(make_built_in_shape("torus", 1000));
+    const HoughOctree octree(mesh);
+    Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
+    Scene scene = scene_of(mesh, octree, Style::ink);
+    CHECK_FALSE(renderer.silhouette(0, std::nullopt));
+    renderer.render(scene, 32, 32);
+    CHECK(renderer.silhouette(0, std::nullopt)->slots.buffer != VK_NULL_HANDLE);
+    CHECK(renderer.silhouette(0, 0)->arguments.buffer != VK_NULL_HANDLE);
+    CHECK_FALSE(renderer.silhouette(0, 1));
+    CHECK_FALSE(renderer.silhouette(1, std::nullopt));
+    scene.lines = false;
+    renderer.render(scene, 32, 32);
+    CHECK_FALSE(renderer.silhouette(0, std::nullopt));
+    CHECK(renderer.silhouette(0, 0));
+    scene.shadows = false;
+    renderer.render(scene, 32, 32);
+    CHECK_FALSE(renderer.silhouette(0, 0));
+    // Those that the GPU finds.
+    if (!gpu->context().round_to_nearest_float32) return;
+    scene.lines = scene.shadows = true;
+    scene.instances[0].octree = nullptr;
+    scene.instances[0].deforming = &mesh;
+    renderer.render(scene, 32, 32);
+    CHECK(renderer.silhouette(0, std::nullopt)->face_words.address != 0);
+    CHECK(renderer.silhouette(0, 0)->slots.address !=
+          renderer.silhouette(0, std::nullopt)->slots.address);
+}
+
+TEST_CASE("a mesh may go when a scene without it is drawn, and another have its address") {
+    RIMLINE_OPEN_GPU(gpu);
+    const auto model_of = [](const char* shape) {
+        return std::make_unique<tests::Model>(make_built_in_shape(shape, 1000));
+    };
+    Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
+    std::unique_ptr<tests::Model> model = model_of("torus");
+    Scene scene = scene_of(model->mesh, model->octree, Style::toon);
+    renderer.submit(scene, 64, 64);
+    scene.instances.clear();
+    renderer.submit(scene, 64, 64);  // While the GPU draws it.
+    model.reset();
+    renderer.finish();
+    renderer.finish();
+    CHECK(renderer.tracker_bytes() == 0);
+    model = model_of("knot");
+    const Scene other = scene_of(model->mesh, model->octree, Style::toon);
+    CHECK(renderer.render(other, 64, 64).rgba ==
+          Renderer(gpu->context(), {.samples = 1, .scale = 1}).render(other, 64, 64).rgba);
 }
 
 TEST_CASE(
@@ -426,6 +498,44 @@ TEST_CASE("a scene without background is a picture with straight alpha") {
         scene.has_background = true;
         CHECK(renderer.render(scene, 128, 128).rgba == opaque.rgba);
     }
+}
+
+TEST_CASE("what lies before a parallel projection's near plane is cut off, and casts its shadow") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Mesh mesh(make_built_in_shape("knot", 4000));
+    const HoughOctree octree(mesh);
+    Renderer renderer(gpu->context());
+    Scene scene = scene_of(mesh, octree, Style::toon);
+    // In a single picture it is not known which are fronts of what was cut: backs are seen.
+    scene.instances[0].is_solid = is_solid(mesh);
+    CHECK(scene.instances[0].is_solid);
+    const double distance = glm::distance(scene.camera.eye, scene.camera.target);
+    const auto cut_at = [&](double near) {
+        // Depth is 1 at the near plane.
+        const double slope = 1.0 / (2.0 * distance);
+        scene.camera.projection = Projection{.scale = {1.0 / mesh.radius(), -1.0 / mesh.radius()},
+                                             .z = {slope, 1.0 + slope * near},
+                                             .w = {0.0, 1.0}};
+        scene.shadow_method = ShadowMethod::automatic;
+        scene.shadow_form = ShadowForm::automatic;
+        const Picture chosen = renderer.render(scene, 128, 128);
+        scene.shadow_method = ShadowMethod::fail;
+        scene.shadow_form = ShadowForm::general;
+        scene.instances[0].is_solid = false;
+        const Picture always_right = renderer.render(scene, 128, 128);
+        scene.instances[0].is_solid = true;
+        CHECK(agreement(chosen, always_right) == 1.0);
+        return chosen;
+    };
+    const Picture whole = cut_at(0.1 * distance);
+    const Picture cut = cut_at(distance);
+    CHECK(agreement(whole, cut) < 0.98);
+    CHECK(agreement(whole, cut_at(distance - 1.5 * mesh.radius())) == 1.0);
+    // Nothing is left.
+    const Picture none = cut_at(distance + 1.5 * mesh.radius());
+    CHECK(agreement(none, cut) < 0.98);
+    CHECK(std::ranges::all_of(std::views::iota(std::size_t{0}, none.rgba.size()),
+                              [&](std::size_t i) { return none.rgba[i] == none.rgba[i % 4]; }));
 }
 
 TEST_CASE("a light at the camera shows no shadow") {

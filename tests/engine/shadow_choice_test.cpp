@@ -223,6 +223,24 @@ TEST_CASE("depth pass in an orthographic view needs the volume's end behind the 
     CHECK(method({0, 0, -1}, ShadowMethod::pass) == ShadowMethod::fail);
 }
 
+TEST_CASE("a parallel view whose near plane cuts a mesh takes what is always right") {
+    const Mesh box(make_built_in_shape("box", 12));  // From -1 to 1.
+    for (const double near : {1.1, 0.9, -0.9, -1.1}) {
+        CAPTURE(near);
+        const ShadowView view{.orthographic = true, .back = {0, 0, 1}, .far = -5.0, .near = near};
+        const ShadowCaster caster{.low = glm::dvec3(box.bounds().low),
+                                  .high = glm::dvec3(box.bounds().high),
+                                  .is_closed_chain = true,
+                                  .light = HomogeneousPoint::direction({0, 0, 1}),
+                                  .extrusion = 20.0};
+        CHECK(is_outside(view, caster.low, caster.high) == (near > 1.0));
+        const ShadowChoice choice =
+            choose_shadow(ShadowMethod::automatic, ShadowForm::automatic, view, caster);
+        CHECK(choice.method == (near > 1.0 ? ShadowMethod::pass : ShadowMethod::fail));
+        CHECK(choice.form == (near > 1.0 ? ShadowForm::single : ShadowForm::general));
+    }
+}
+
 TEST_CASE(
     "rays of lamps end in one point where the lamp is behind the camera and the caster before it") {
     const Mesh box(make_built_in_shape("box", 12));  // From -1 to 1.

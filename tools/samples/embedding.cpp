@@ -196,9 +196,9 @@ void run(const char* picture_path) {
         renderer.record(commands, scene, target);
         foreign.copy_picture(pixels.handle());
         const SilhouetteBuffers silhouette = renderer.silhouette(0, std::nullopt).value();
-        const Constants constants{
-            silhouette.slots, silhouette.face_words,         silhouette.arguments,
-            result.address(), (mesh.face_count() + 31) / 32, 0};
+        const Constants constants{silhouette.slots.address,      silhouette.face_words.address,
+                                  silhouette.arguments.address,  result.address(),
+                                  (mesh.face_count() + 31) / 32, 0};
         count.dispatch(commands, 4, &constants, sizeof constants);
         // Submits, after what was uploaded, and waits for the results.
         foreign.end_frame(uploaded.timeline, uploaded.value);

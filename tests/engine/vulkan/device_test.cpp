@@ -23,6 +23,18 @@ TEST_CASE("an opened device says who it is and decides face bits as the CPU does
     CHECK((gpu->context().sample_counts & VK_SAMPLE_COUNT_1_BIT) != 0);
 }
 
+TEST_CASE("a device of a caller's instance is judged as one of Rimline's own") {
+    RIMLINE_OPEN_GPU(gpu);
+    const DeviceFacts facts = describe_device(
+        gpu->instance().handle(), gpu->context().physical_device, gpu->instance().loader());
+    CHECK(facts.name == gpu->device().facts().name);
+    CHECK(facts.samples == gpu->device().facts().samples);
+    CHECK_FALSE(facts.shows_window);
+    CHECK(judge_device(facts).usable());
+    CHECK(describe_device(gpu->instance().handle(), gpu->context().physical_device).driver ==
+          facts.driver);
+}
+
 TEST_CASE(
     "tests on a device that RIMLINE_DEVICE names and that is not there fail and do not skip") {
     RIMLINE_OPEN_GPU(gpu);

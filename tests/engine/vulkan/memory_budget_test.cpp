@@ -255,6 +255,35 @@ TEST_CASE("trackers beyond their budget are refused by name, and give it back wh
     CHECK(renderer.tracker_bytes() == one);
 }
 
+TEST_CASE("a scene that needs less than the one before fits in the same budgets") {
+    RIMLINE_OPEN_GPU(gpu);
+    std::vector<std::unique_ptr<tests::Model>> models;
+    Scene scene{.camera = {.eye = {0, 1, 4}}};
+    scene.lights = {{.vector = {1, 1, 1}}};
+    for (int i = 0; i < 5; ++i) {
+        models.push_back(
+            std::make_unique<tests::Model>(make_built_in_shape("knot", 2000 + 100 * i)));
+        scene.instances.push_back({.octree = &models.back()->octree});
+    }
+    Renderer free(gpu->context(), {.samples = 1, .scale = 1});
+    free.render(scene, 32, 32);
+    Renderer bounded(gpu->context(), {.samples = 1,
+                                      .scale = 1,
+                                      .stream_memory_bytes = free.stream_bytes(),
+                                      .tracker_memory_bytes = free.tracker_bytes()});
+    bounded.render(scene, 32, 32);
+    // Another takes the place of each.
+    const SceneInstance spare = scene.instances.back();
+    scene.instances.pop_back();
+    while (!scene.instances.empty()) {
+        scene.instances.erase(scene.instances.begin());
+        bounded.render(scene, 32, 32);
+        CHECK(bounded.tracker_bytes() < free.tracker_bytes());
+    }
+    scene.instances.push_back(spare);
+    bounded.render(scene, 32, 32);
+}
+
 TEST_CASE("a scene beyond the renderer's budget is refused by name, and a smaller one then drawn") {
     RIMLINE_OPEN_GPU(gpu);
     const tests::Model model(make_built_in_shape("knot", 3000));
