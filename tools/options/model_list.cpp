@@ -258,6 +258,13 @@ void ModelList::settle(PictureOptions& picture, FirstCamera first_camera) {
     }
 }
 
+nlohmann::ordered_json ModelList::scene_cameras() const {
+    nlohmann::ordered_json cameras = nlohmann::ordered_json::object();
+    if (scene_)
+        for (const SceneFile::Camera& camera : scene_->cameras) cameras[camera.name] = camera.json;
+    return cameras;
+}
+
 bool ModelList::has_paint() const noexcept {
     return std::ranges::any_of(models_, [](const PlacedModel& m) { return m.paint.has_value(); });
 }

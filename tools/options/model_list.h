@@ -54,6 +54,8 @@ public:
         return !scene_ && models_.size() == 1 && !models_.front().is_placed();
     }
     bool has_scene_file() const noexcept { return scene_.has_value(); }
+    /// "cameras" of the scene file, as it has them.
+    nlohmann::ordered_json scene_cameras() const;
     bool has_paint() const noexcept;
     /// Throws UsageError if `output` is one of the files that are read.
     void check_output_is_no_input(const std::string& output) const;

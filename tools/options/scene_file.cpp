@@ -274,7 +274,7 @@ SceneFile::Camera camera_of(const std::string& name, const Node& node) {
     const bool has_angle = node.has("azimuth") || node.has("elevation");
     if (node.has("eye") && has_angle) node.fail("\"eye\" excludes \"azimuth\" and \"elevation\"");
     if (node.has("fov") && node.has("ortho")) node.fail("\"fov\" excludes \"ortho\"");
-    SceneFile::Camera camera{.name = name, .settings = {}};
+    SceneFile::Camera camera{.name = name, .settings = {}, .json = node.value()};
     for (const char* key : {"eye", "target", "up"})
         if (node.has(key))
             camera.settings.push_back(

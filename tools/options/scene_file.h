@@ -29,6 +29,7 @@ struct SceneFile {
     struct Camera {
         std::string name;
         std::vector<Setting> settings;
+        nlohmann::ordered_json json;  ///< As the file has it.
     };
 
     std::string path;

@@ -20,6 +20,7 @@ struct Arrangement {
     glm::dvec3 towards_viewer{0, 0, 1};
     /// All positions of `models` in the scene, if something is added. They must live until it is placed.
     std::span<const glm::vec3> positions = {};
+    bool has_file_colors = true;  ///< Models that are not painted have the colors of their files.
 };
 
 /// The models of the arrangement, with the added ones to the right of the others for the viewer, along an axis, on

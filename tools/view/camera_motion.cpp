@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
+
+#include "silhouette/mesh/ground_axes.h"
 
 namespace rimline::tools {
 
@@ -106,6 +109,15 @@ void fly(Camera& camera, const glm::dvec3& step) {
         step.x * axes[0] + step.y * glm::normalize(camera.up) - step.z * axes[2];
     camera.eye += move;
     camera.target += move;
+}
+
+glm::dvec3 direction_about(const glm::dvec3& direction, const glm::dvec3& from_up,
+                           const glm::dvec3& to_up) {
+    const auto axes = [](const glm::dvec3& up) {
+        const auto [right, away] = ground_axes(up);
+        return glm::dmat3(right, away, glm::normalize(up));
+    };
+    return axes(to_up) * (glm::transpose(axes(from_up)) * direction);
 }
 
 void set_up(Camera& camera, const glm::dvec3& up) {

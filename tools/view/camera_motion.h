@@ -40,6 +40,10 @@ void turn_view(Camera& camera, const glm::dvec2& turn_rad);
 /// With an orthographic camera, z changes nothing in the picture.
 void fly(Camera& camera, const glm::dvec3& step);
 
+/// The direction that has the azimuth and the elevation of `direction`, about `from_up`, about `to_up` (ground_axes.h).
+glm::dvec3 direction_about(const glm::dvec3& direction, const glm::dvec3& from_up,
+                           const glm::dvec3& to_up);
+
 /// Sets the up axis and keeps eye and target. Tilts the view if it exceeds the maximum elevation.
 void set_up(Camera& camera, const glm::dvec3& up);
 

@@ -23,6 +23,23 @@ bool is_model_name(const std::filesystem::path& path) {
     return std::ranges::find(k_endings, ending) != k_endings.end();
 }
 
+// A line to be clicked, with text that is clear and text that is less so; `whole` in a tooltip where it is too long.
+bool draw_line(const std::string& whole, const std::string& clear, const std::string& faint) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    const ImVec2 place = ImGui::GetCursorScreenPos();
+    ImGui::PushID(whole.c_str());
+    const bool is_clicked = ImGui::Selectable("##name");
+    ImGui::PopID();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddText(place, ImGui::GetColorU32(ImGuiCol_Text), clear.c_str());
+    const float end = ImGui::CalcTextSize(clear.c_str()).x;
+    list.AddText({place.x + end, place.y}, ImGui::GetColorU32(ImGuiCol_TextDisabled),
+                 faint.c_str());
+    if (ImGui::IsItemHovered() && end + ImGui::CalcTextSize(faint.c_str()).x > width)
+        ImGui::SetTooltip("%s", whole.c_str());
+    return is_clicked;
+}
+
 }  // namespace
 
 std::filesystem::path recent_files_path() {
@@ -78,19 +95,14 @@ FolderListing list_folder(const std::filesystem::path& folder) {
 
 void FileBrowser::enter(const std::filesystem::path& folder) {
     folder_ = folder;
-    listing_ = list_folder(folder);
+    if (!folder_.empty()) listing_ = list_folder(folder_);
 }
 
-bool draw_name(const std::string& name) {
-    const float width = ImGui::GetContentRegionAvail().x;
-    const ImVec2 place = ImGui::GetCursorScreenPos();
-    ImGui::PushID(name.c_str());
-    const bool is_clicked = ImGui::Selectable("##name");
-    ImGui::PopID();
-    ImGui::GetWindowDrawList()->AddText(place, ImGui::GetColorU32(ImGuiCol_Text), name.c_str());
-    if (ImGui::IsItemHovered() && ImGui::CalcTextSize(name.c_str()).x > width)
-        ImGui::SetTooltip("%s", name.c_str());
-    return is_clicked;
+bool draw_name(const std::string& name) { return draw_line(name, name, ""); }
+
+bool draw_path(const std::string& path) {
+    const std::filesystem::path parts(path);
+    return draw_line(path, parts.filename().string(), "  " + parts.parent_path().string());
 }
 
 std::optional<std::string> FileBrowser::draw(float height) {

@@ -44,6 +44,8 @@ FolderListing list_folder(const std::filesystem::path& folder);
 /// Names are shown as they are, also those that ImGui would take for labels with a part for itself (after ##), and in
 /// a tooltip where the list is too narrow.
 bool draw_name(const std::string& name);
+/// The same for a path: its last part, and then the folder, less clear.
+bool draw_path(const std::string& path);
 
 class FileBrowser {
 public:
@@ -51,6 +53,8 @@ public:
     /// was chosen.
     std::optional<std::string> draw(float height);
     const std::filesystem::path& folder() const noexcept { return folder_; }
+    /// Lists the folder again.
+    void refresh() { enter(folder_); }
 
 private:
     void enter(const std::filesystem::path& folder);

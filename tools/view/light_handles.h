@@ -20,7 +20,20 @@ constexpr double k_sun_radii = 0.85;
 
 glm::dvec3 light_handle(const Light& light, const SceneBounds& model);
 
-/// Moves a light so that its handle is at `pixel`. If the sphere of suns does not cover that pixel, the
+/// Lamps go no farther from the model's center, in the model's radii: coordinates have a limited range.
+constexpr double k_max_lamp_radii = 1000.0;
+
+/// Where the handle is shown, in an area between two corners: a handle outside of it, or behind the eye, at its edge.
+struct ShownHandle {
+    glm::dvec2 pixel;
+    glm::dvec2 outwards;  ///< Where it is from there; 0 if it is there.
+
+    bool is_outside() const { return outwards != glm::dvec2(0.0); }
+};
+ShownHandle shown_handle(const Light& light, const SceneBounds& model, const ScreenView& view,
+                         const glm::dvec2& low, const glm::dvec2& high);
+
+/// Moves a light so that its handle is at `pixel`. A lamp behind the eye comes to the model's distance. If the sphere of suns does not cover that pixel, the
 /// handle moves to the sphere's outline. A sun behind the model stays behind it.
 void drag_light(Light& light, const SceneBounds& model, const ScreenView& view,
                 const glm::dvec2& pixel);

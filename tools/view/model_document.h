@@ -35,10 +35,14 @@ public:
     const std::optional<glm::dvec3>& scene_up() const noexcept { return scene_up_; }
     /// Whether a model is painted: its color is not that of the appearance.
     bool has_paint() const noexcept;
-    void set_models(std::vector<PlacedModel> models, const std::optional<glm::dvec3>& up) {
+    void set_models(std::vector<PlacedModel> models, const std::optional<glm::dvec3>& up,
+                    bool has_file_colors = true) {
         models_ = std::move(models);
         scene_up_ = up;
+        has_file_colors_ = has_file_colors;
     }
+    /// Whether models that are not painted have the colors of their files.
+    bool has_file_colors() const noexcept { return has_file_colors_; }
 
     Subject subject() const override { return mesh_; }
     const Mesh& mesh() const noexcept { return mesh_; }
@@ -62,6 +66,7 @@ private:
 
     std::vector<PlacedModel> models_;
     std::optional<glm::dvec3> scene_up_;
+    bool has_file_colors_ = true;
     Mesh mesh_;
     HoughOctree octree_;
     bool is_solid_;

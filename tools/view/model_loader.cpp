@@ -29,7 +29,10 @@ void ModelLoader::arrange(Arrangement arrangement) {
     std::string name = arrangement.added.empty() ? "the scene" : arrangement.added.front();
     start(std::move(name), [arrangement = std::move(arrangement)](const BeginCall& begin) {
         const std::vector<PlacedModel> models = place_added(arrangement, begin);
-        return Result{.view = open_view(view_arguments(models, arrangement.up), begin).view,
+        std::vector<std::string> arguments = view_arguments(models, arrangement.up);
+        arguments.insert(arguments.begin(),
+                         {"--materials", arrangement.has_file_colors ? "on" : "off"});
+        return Result{.view = open_view(std::move(arguments), begin).view,
                       .kind = Kind::arrangement,
                       .error = {}};
     });

@@ -22,7 +22,8 @@ public:
     void add_options(CLI::App& app) override {
         view_.add_to(app);
         constexpr const char* k_window = "Window";
-        app.add_flag("--no-panel", no_panel_, "Show only the picture, without the panel")
+        app.add_flag("--no-panel", no_panel_,
+                     "Show only the picture: no panel, and mouse and keys do nothing")
             ->group(k_window);
         app.add_flag("--inspect", inspect_, "Start with the Hough space window open")
             ->group(k_window);
@@ -72,7 +73,7 @@ public:
         // Before the model is loaded, so that a missing display is reported at once.
         const PictureOptions& picture = view_.picture();
         Window window("Rimline - " + view_.models().name(), static_cast<int>(picture.size.width),
-                      static_cast<int>(picture.size.height));
+                      static_cast<int>(picture.size.height), frames_ == 0);
         const VulkanInstance instance(
             {.validate = picture.validate, .window_extensions = window.vulkan_extensions()});
         ViewSession session;

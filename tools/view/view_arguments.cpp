@@ -23,6 +23,7 @@ void ViewArguments::add_to(CLI::App& app) {
     models_.add_to_camera(app);
     picture_.add_lights_to(app);
     picture_.add_image_to(app);
+    size_option_ = app.get_option("--size");
     picture_.add_machine_to(app);
 }
 
@@ -53,7 +54,8 @@ Document ViewArguments::open_document_of_models(const BeginCall& begin) {
     const MeshSource source =
         models_.load(picture_, TexturePictures::read, scene_.shows_file_colors(), begin);
     auto document = std::make_unique<ModelDocument>(models_.name(), source, begin);
-    document->set_models(models_.models(), glm::dvec3(*picture_.ground_up));
+    document->set_models(models_.models(), glm::dvec3(*picture_.ground_up),
+                         scene_.shows_file_colors());
     return document;
 }
 
@@ -115,6 +117,10 @@ OpenedView ViewArguments::model_view(Document document) {
     view.has_chosen_sun = picture_.lights.empty() && picture_.suns.empty();
     view.frozen = silhouette_camera_of(document.subject(), view.camera,
                                        in_double(picture_.silhouette_from), picture_);
+    if (is_scene_file()) {
+        if (size_option_->count() > 0) view.size = picture_.size;
+        view.scene_cameras = models_.scene_cameras();
+    }
     view.document = std::move(document);
     return view;
 }

@@ -43,6 +43,7 @@ private:
     CloudArgument cloud_;  // Only its flags are used.
     PictureOptions picture_;
     SceneOptions scene_;
+    const CLI::Option* size_option_ = nullptr;
 };
 
 /// Opens what the arguments of a command line say, the subcommand left out. Throws UsageError for arguments that

@@ -3,11 +3,13 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "tools/view/camera_motion.h"
 #include "tools/view/light_handles.h"
+#include "tools/view/view_marks.h"
 
 namespace rimline::tools {
 
@@ -30,10 +32,11 @@ constexpr double k_max_step_s = 0.1;
 
 }  // namespace
 
-void ViewInput::move_lights(ViewSession& session, const glm::dvec2& size) {
+void ViewInput::move_lights(ViewSession& session, const FreeArea& area) {
     const ImGuiIO& io = ImGui::GetIO();
     const SceneBounds bounds = session.bounds();
-    const ScreenView view(session.camera, size);
+    const ScreenView view(session.camera, area.window);
+    const auto [low, high] = area.corners(k_handle_margin);
     const glm::dvec2 mouse(io.MousePos.x, io.MousePos.y);
     if (!io.MouseDown[0] || (dragged_light_ && *dragged_light_ >= session.lights.size()))
         dragged_light_.reset();
@@ -46,9 +49,9 @@ void ViewInput::move_lights(ViewSession& session, const glm::dvec2& size) {
     if (io.WantCaptureMouse || drags_picture_) return;
     double nearest = k_handle_reach;
     for (std::size_t i = 0; i < session.lights.size(); ++i) {
-        const auto pixel = view.pixel_of(light_handle(session.lights[i], bounds));
-        if (!pixel || glm::distance(*pixel, mouse) > nearest) continue;
-        nearest = glm::distance(*pixel, mouse);
+        const glm::dvec2 pixel = shown_handle(session.lights[i], bounds, view, low, high).pixel;
+        if (glm::distance(pixel, mouse) > nearest) continue;
+        nearest = glm::distance(pixel, mouse);
         hovered_light_ = i;
     }
     if (!hovered_light_) return;
@@ -81,8 +84,12 @@ void ViewInput::move_camera(ViewSession& session, const glm::dvec2& size) {
     if (io.MouseWheel != 0.0f && !io.WantCaptureMouse && !hovered_light_) {
         is_framed = false;
         const double radius = session.bounds().radius;
+        // A camera that is beyond its limits already only comes back.
+        const Camera& camera = session.camera;
+        const double now = camera.is_orthographic() ? camera.ortho_height
+                                                    : glm::distance(camera.eye, camera.target);
         zoom(session.camera, std::pow(k_zoom_per_notch, double(io.MouseWheel)),
-             k_min_distance * radius, k_max_distance * radius);
+             std::min(k_min_distance * radius, now), std::max(k_max_distance * radius, now));
     }
 }
 
@@ -104,20 +111,28 @@ bool ViewInput::move_flight(ViewSession& session) {
     // Limit the distance: coordinates have a limited range.
     const Camera before = session.camera;
     fly(session.camera, step);
-    const double reach = glm::distance(session.camera.eye, session.bounds().center);
-    if (reach > 2.0 * k_max_distance * session.bounds().radius) session.camera = before;
+    const glm::dvec3 center = session.bounds().center;
+    const double reach = glm::distance(session.camera.eye, center);
+    if (reach > 2.0 * k_max_distance * session.bounds().radius &&
+        reach > glm::distance(before.eye, center))
+        session.camera = before;
     return true;
 }
 
-bool ViewInput::apply(ViewSession& session, const glm::dvec2& size) {
+bool ViewInput::apply(ViewSession& session, const FreeArea& area, bool has_handles) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool any_down = io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2];
     const bool clicked =
         ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2);
-    move_lights(session, size);
+    if (has_handles) {
+        move_lights(session, area);
+    } else {
+        hovered_light_.reset();
+        dragged_light_.reset();
+    }
     if (!any_down) drags_picture_ = false;
     if (clicked && !io.WantCaptureMouse && !dragged_light_) drags_picture_ = true;
-    move_camera(session, size);
+    move_camera(session, area.window);
     const bool flying = move_flight(session);
     return flying || drags_picture_ || dragged_light_.has_value();
 }

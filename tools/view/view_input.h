@@ -20,9 +20,9 @@ public:
     /// Whether the picture shows the whole document, until the user pans, zooms or flies.
     bool is_framed = false;
 
-    /// Applies the input since the last frame to `session`, in a window of `size` units. Returns whether
-    /// another frame is needed: a drag or a flight is in progress.
-    bool apply(ViewSession& session, const glm::dvec2& size);
+    /// Applies the input since the last frame to `session`, in a window with this free area. `has_handles`: the handles
+    /// of lights are shown. Returns whether another frame is needed: a drag or a flight is in progress.
+    bool apply(ViewSession& session, const FreeArea& area, bool has_handles);
 
     /// The light that is dragged, else the light under the mouse.
     std::optional<std::size_t> light() const noexcept {
@@ -30,7 +30,7 @@ public:
     }
 
 private:
-    void move_lights(ViewSession& session, const glm::dvec2& size);
+    void move_lights(ViewSession& session, const FreeArea& area);
     void move_camera(ViewSession& session, const glm::dvec2& size);
     bool move_flight(ViewSession& session);
 

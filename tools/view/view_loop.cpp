@@ -65,7 +65,7 @@ ViewLoop::~ViewLoop() = default;
 
 FreeArea ViewLoop::free_area() const {
     FreeArea area{.window = window_.size()};
-    if (options_.panel && panel_.visible)
+    if (options_.panel && panel_.visible && !panel_.is_folded())
         area.left = double{ViewPanel::k_width} * window_.content_scale();
     if (options_.panel && hough_.open && !session_.is_cloud()) area.right = hough_width();
     return area;
@@ -90,7 +90,9 @@ void ViewLoop::open(const std::vector<std::string>& names, bool adds) {
     const ModelDocument* const model = session_.document().model();
     added_.clear();
     if (!adds || !model) {
-        if (names.size() > 1) panel_.show_message("one at a time: opening the first", false);
+        if (names.size() > 1)
+            notice_ = "opened the first of " + std::to_string(names.size()) +
+                      " files; tick \"add it to the scene\" to show them side by side";
         loader_.open(names.front());
     } else if (std::ranges::any_of(names, is_scene)) {
         panel_.show_message("a scene file cannot be added to a scene", true);
@@ -100,7 +102,8 @@ void ViewLoop::open(const std::vector<std::string>& names, bool adds) {
                          .added = names,
                          .up = session_.scene_up(),
                          .towards_viewer = session_.camera.eye - session_.camera.target,
-                         .positions = model->mesh().positions()});
+                         .positions = model->mesh().positions(),
+                         .has_file_colors = session_.appearance.shows_file_colors()});
     }
 }
 
@@ -111,6 +114,7 @@ bool ViewLoop::show_loaded() {
     if (!result) return false;
     OpenedView& view = result->view;
     if (!view.document) {
+        notice_.clear();
         panel_.show_message(result->error, true);
         panel_.forget_places();
         added_.clear();
@@ -118,6 +122,9 @@ bool ViewLoop::show_loaded() {
     }
     panel_.message.clear();
     gallery_.clear();
+    // The next document may have the same address.
+    inspected_ = nullptr;
+    drawn_sight_.reset();
     const bool was_framed = input_.is_framed;
     switch (result->kind) {
         case ModelLoader::Kind::document:
@@ -130,6 +137,8 @@ bool ViewLoop::show_loaded() {
             break;
     }
     frames_of_document_ = 0;
+    asked_file_colors_.reset();
+    if (view.size) panel_.set_picture_size(*view.size);
     // A scene file says where its camera is.
     if (result->kind == ModelLoader::Kind::scene)
         input_.is_framed = false;
@@ -140,6 +149,8 @@ bool ViewLoop::show_loaded() {
     for (const std::string& name : std::exchange(added_, {})) recent_.add(name);
     window_.set_title("Rimline - " + session_.document().name());
     const std::vector<std::string>& warnings = session_.document().warnings();
+    const std::string notice = std::exchange(notice_, {});
+    if (!notice.empty()) panel_.show_message(notice, false);
     if (!warnings.empty())
         panel_.show_message(
             warnings.size() == 1
@@ -149,6 +160,11 @@ bool ViewLoop::show_loaded() {
     return true;
 }
 
+bool ViewLoop::has_model(const char* why_not) {
+    if (session_.is_cloud()) panel_.show_message(why_not, true);
+    return !session_.is_cloud();
+}
+
 // The toolkit loses a key that is pressed and released within one frame; the window's list does not.
 void ViewLoop::apply_keys() {
     const std::vector<int> keys = window_.take_pressed_keys();
@@ -156,16 +172,25 @@ void ViewLoop::apply_keys() {
     for (const int key : keys) {
         switch (key) {
             case GLFW_KEY_TAB: panel_.visible = !panel_.visible; break;
-            case GLFW_KEY_F: fit(); break;
-            case GLFW_KEY_G: session_.appearance.ground = !session_.appearance.ground; break;
-            case GLFW_KEY_I: hough_.open = !hough_.open; break;
+            case GLFW_KEY_F:
+                played_.reset();
+                fit();
+                break;
+            case GLFW_KEY_G:
+                if (has_model("there is no ground under a cloud"))
+                    session_.appearance.ground = !session_.appearance.ground;
+                break;
+            case GLFW_KEY_I:
+                if (has_model("Hough space is shown of models")) hough_.open = !hough_.open;
+                break;
             case GLFW_KEY_P: requests_.save = panel_.picture_request(); break;
             case GLFW_KEY_SPACE: requests_.play = true; break;
             case GLFW_KEY_C:
-                if (!session_.is_cloud()) requests_.copy_command = true;
+                if (has_model("commands of the window draw models")) requests_.copy_command = true;
                 break;
             case GLFW_KEY_X:
-                if (!session_.is_cloud()) requests_.save_scene = panel_.scene_request();
+                if (has_model("scene files hold models"))
+                    requests_.save_scene = panel_.scene_request();
                 break;
             case GLFW_KEY_Z:
                 if (session_.frozen())
@@ -279,9 +304,40 @@ void ViewLoop::copy_command() {
         panel_.show_message(error.what(), true);
         return;
     }
+    if (session_.model().scene_up() && *session_.model().scene_up() != session_.camera.up) {
+        panel_.show_message(
+            "up is another axis than that of the scene, which no command says: save a scene "
+            "file (X) instead",
+            true);
+        return;
+    }
     const FramedFor framed(*this, picture.size);
     glfwSetClipboardString(window_.handle(), session_.command(picture.size, picture.path).c_str());
     panel_.show_message("the command is in the clipboard", false);
+}
+
+// A picture of the whole document shows it from the same side of the new up.
+void ViewLoop::set_up_axis(const glm::dvec3& up) {
+    Camera& camera = session_.camera;
+    const glm::dvec3 direction = direction_about(camera.eye - camera.target, camera.up, up);
+    set_up(camera, up);
+    if (input_.is_framed) session_.look_from(direction);
+    find_views();
+}
+
+// Where models are painted, the colors of all faces are made when the scene is loaded.
+void ViewLoop::follow_file_colors() {
+    const ModelDocument* const model = session_.document().model();
+    const bool wanted = session_.appearance.shows_file_colors();
+    if (!model || !model->has_paint() || model->has_file_colors() == wanted || loader_.stage() ||
+        asked_file_colors_ == wanted)
+        return;
+    asked_file_colors_ = wanted;
+    loader_.arrange({.models = model->models(),
+                     .added = {},
+                     .up = session_.scene_up(),
+                     .positions = {},
+                     .has_file_colors = wanted});
 }
 
 void ViewLoop::execute(const PanelRequests& requests) {
@@ -294,14 +350,14 @@ void ViewLoop::execute(const PanelRequests& requests) {
         loader_.arrange({.models = *requests.arranged,
                          .added = {},
                          .up = session_.scene_up(),
-                         .positions = {}});
-    if (requests.up) {
-        set_up(session_.camera, *requests.up);
-        find_views();
-    }
+                         .positions = {},
+                         .has_file_colors = session_.appearance.shows_file_colors()});
+    if (requests.up) set_up_axis(*requests.up);
     if (requests.look_from) session_.look_from(*requests.look_from);
     if (requests.fit || requests.look_from || (requests.up && input_.is_framed)) fit();
-    const bool is_dark = requests.look_from && !session_.is_cloud() && session_.has_chosen_sun();
+    if (requests.fit || requests.look_from || requests.up) played_.reset();
+    const bool is_dark =
+        (requests.look_from || requests.up) && !session_.is_cloud() && session_.has_chosen_sun();
     if (requests.choose_sun || is_dark) session_.choose_sun(free_area().aspect());
     if (requests.copy_command) copy_command();
     if (requests.play) play_or_stop();
@@ -312,17 +368,18 @@ void ViewLoop::execute(const PanelRequests& requests) {
 }
 
 void ViewLoop::build_panel() {
-    const glm::dvec2 size = window_.size();
     context_.begin_frame();
     requests_ = {};
     if (options_.panel) {
         if (input_.is_framed && free_area() != last_area_) fit();
-        is_moving_ = input_.apply(session_, size);
+        const bool has_handles = panel_.visible && !session_.is_cloud();
+        is_moving_ = input_.apply(session_, free_area(), has_handles);
         move_along_path();
         apply_keys();
     }
     if (options_.panel) {
         const auto gallery = gallery_.views();
+        shown_gallery_ = gallery_state();
         const ViewPanel::Status status{.counters = counters_,
                                        .loading = loader_.stage(),
                                        .device = renderer_.device_facts().name,
@@ -333,7 +390,7 @@ void ViewLoop::build_panel() {
                                        .finds_views = gallery_.is_finding(),
                                        .scale = window_.content_scale()};
         if (panel_.visible) {
-            draw_marks(session_, size, input_.light());
+            draw_marks(session_, free_area(), input_.light());
             draw_axes(session_.camera, free_area());
             panel_.draw(session_, input_, hough_, status, requests_);
         }
@@ -372,15 +429,17 @@ std::optional<ImageSize> ViewLoop::exact_size(bool is_fine) const {
     return ImageSize{size.width, size.height};
 }
 
-void ViewLoop::take_capture(WindowRenderer::Frame& frame) {
+void ViewLoop::note_frame(WindowRenderer::Frame& frame) {
     if (captures_next_) captured_ = std::move(frame.picture);
     captures_next_ = false;
+    // When the frames in flight that may refer to it are done.
+    if (++frames_of_document_ > RendererOptions{}.frames_in_flight + 1) session_.forget_previous();
 }
 
 bool ViewLoop::draw_kept() {
     std::optional<WindowRenderer::Frame> frame =
         renderer_.draw_kept(context_.drawing(), captures_next_);
-    if (frame) take_capture(*frame);
+    if (frame) note_frame(*frame);
     return frame.has_value();
 }
 
@@ -413,11 +472,9 @@ bool ViewLoop::draw() {
         return false;
     }
     if (!frame) return false;
-    take_capture(*frame);
+    note_frame(*frame);
     drawn_sight_ = std::move(sight);
     is_coarse_ = !is_fine;
-    // Wait until the frames in flight that may refer to it are done.
-    if (++frames_of_document_ > RendererOptions{}.frames_in_flight + 1) session_.forget_previous();
     if (frame->report.segments > 0) {
         const ShownLines& lines = session_.model().lines();
         frame->report.silhouette = lines.silhouette_count();
@@ -443,6 +500,12 @@ double ViewLoop::waiting_time() const {
     return k_idle_s;
 }
 
+// What the panel shows of it.
+std::array<std::size_t, 3> ViewLoop::gallery_state() const {
+    return {gallery_.views().size(), gallery_.is_finding() ? 1u : 0u,
+            gallery_.path().has_value() ? 1u : 0u};
+}
+
 bool ViewLoop::step(bool always) {
     window_.poll(always ? 0.0 : waiting_time());
     if (window_.take_activity()) {
@@ -450,7 +513,8 @@ bool ViewLoop::step(bool always) {
         last_change_s_ = now_s();
     }
     const bool has_new = show_loaded();
-    if (has_new || loader_.stage()) frames_due_ = k_frames_after_event;
+    const bool has_views = options_.panel && gallery_state() != shown_gallery_;
+    if (has_new || has_views || loader_.stage()) frames_due_ = k_frames_after_event;
     const bool refines = is_coarse_ && now_s() - last_change_s_ >= k_rest_s;
     if (!always && frames_due_ == 0 && !is_moving_ && !refines) return false;
     frames_due_ = std::max(frames_due_ - 1, 0);
@@ -458,6 +522,7 @@ bool ViewLoop::step(bool always) {
     const bool drawn = draw();
     // After the frame, because requests may take long.
     execute(requests_);
+    follow_file_colors();
     return drawn;
 }
 

@@ -5,6 +5,7 @@
 // A frame is drawn only when its content has changed, and the picture in it only when more than the panel has. A CPU device draws at a lower resolution while
 // something moves, and at full resolution when nothing has moved for a moment.
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <set>
@@ -59,6 +60,8 @@ public:
     bool is_loading() const { return loader_.stage().has_value(); }
     const std::string& message() const noexcept { return panel_.message; }
     const ViewGallery& gallery() const noexcept { return gallery_; }
+    /// Of these, those that the last frame has shown.
+    std::size_t shown_views() const noexcept { return shown_gallery_[0]; }
 
     WindowRenderer& renderer() noexcept { return renderer_; }
     /// Captures the next frame as the window shows it. run() captures the last of its frames.
@@ -89,10 +92,14 @@ private:
     void play_or_stop();
     void move_along_path();
     void copy_command();
+    void set_up_axis(const glm::dvec3& up);
+    void follow_file_colors();
+    bool has_model(const char* why_not);  // Else says why a key does nothing.
+    std::array<std::size_t, 3> gallery_state() const;
     void build_panel();
     bool draw();
     bool draw_kept();
-    void take_capture(WindowRenderer::Frame& frame);
+    void note_frame(WindowRenderer::Frame& frame);
     double waiting_time() const;
     bool is_frame_fine() const;
     FrameQuality quality(bool is_fine) const;
@@ -106,6 +113,9 @@ private:
     ModelLoader loader_;
     ViewGallery gallery_;  // Refers to the session's document.
     RecentFiles recent_;
+    std::array<std::size_t, 3> shown_gallery_{};
+    std::string notice_;                     // For the next document, when it is there.
+    std::optional<bool> asked_file_colors_;  // Of the document.
     std::vector<std::string> added_;    // What the loader adds to the scene, until it is there.
     std::optional<CameraPath> played_;  // While the camera moves along it.
     double played_from_s_ = 0.0;

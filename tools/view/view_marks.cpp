@@ -53,24 +53,37 @@ void draw_lamp(ImDrawList& list, const glm::dvec2& at, bool chosen) {
     stroke(list, at + glm::dvec2(-2.0, 13.5), at + glm::dvec2(2.0, 13.5), k_mark_ink, 1.8f);
 }
 
+// Outwards from a handle that lies outside of the area.
+void draw_arrow(ImDrawList& list, const glm::dvec2& at, const glm::dvec2& outwards) {
+    const glm::dvec2 way = glm::normalize(outwards);
+    const glm::dvec2 side(-way.y, way.x);
+    const glm::dvec2 tip = at + 23.0 * way, foot = at + 16.0 * way;
+    stroke(list, tip, foot + 5.0 * side, k_mark_ink, 1.8f);
+    stroke(list, tip, foot - 5.0 * side, k_mark_ink, 1.8f);
+}
+
 void draw_lights(ImDrawList& list, const ViewSession& session, const ScreenView& view,
-                 std::optional<std::size_t> chosen) {
+                 const FreeArea& area, std::optional<std::size_t> chosen) {
     const SceneBounds bounds = session.bounds();
+    const auto [low, high] = area.corners(k_handle_margin);
     for (std::size_t i = 0; i < session.lights.size(); ++i) {
         const Light& light = session.lights[i];
         const glm::dvec3 handle = light_handle(light, bounds);
-        const auto at = view.pixel_of(handle);
-        if (!at) continue;
-        if (light.directional) {
+        const ShownHandle shown = shown_handle(light, bounds, view, low, high);
+        const glm::dvec2 at = shown.pixel;
+        if (shown.is_outside()) {
+            draw_arrow(list, at, shown.outwards);
+        } else if (light.directional) {
             // A stroke in the direction of the light.
             const glm::dvec3 inwards = glm::normalize(bounds.center - handle);
             const auto tip = view.pixel_of(handle + 0.3 * bounds.radius * inwards);
-            if (tip && glm::distance(*tip, *at) > 18.0)
-                stroke(list, *at + 16.0 * glm::normalize(*tip - *at), *tip, k_mark_ink, 1.5f);
-            draw_sun(list, *at, chosen == i);
-        } else {
-            draw_lamp(list, *at, chosen == i);
+            if (tip && glm::distance(*tip, at) > 18.0)
+                stroke(list, at + 16.0 * glm::normalize(*tip - at), *tip, k_mark_ink, 1.5f);
         }
+        if (light.directional)
+            draw_sun(list, at, chosen == i);
+        else
+            draw_lamp(list, at, chosen == i);
     }
 }
 
@@ -110,13 +123,14 @@ void draw_frozen(ImDrawList& list, const Camera& frozen, const ScreenView& view,
 
 }  // namespace
 
-void draw_marks(const ViewSession& session, const glm::dvec2& size,
+void draw_marks(const ViewSession& session, const FreeArea& area,
                 std::optional<std::size_t> chosen) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const ScreenView view(session.camera, size);
+    const ScreenView view(session.camera, area.window);
     if (session.frozen())
-        draw_frozen(list, *session.frozen(), view, size.x / size.y, 0.5 * session.bounds().radius);
-    if (!session.is_cloud()) draw_lights(list, session, view, chosen);
+        draw_frozen(list, *session.frozen(), view, area.window.x / area.window.y,
+                    0.5 * session.bounds().radius);
+    if (!session.is_cloud()) draw_lights(list, session, view, area, chosen);
 }
 
 void draw_axes(const Camera& camera, const FreeArea& area) {

@@ -9,8 +9,11 @@
 
 namespace rimline::tools {
 
-/// Draws into the background layer of the panel, in a window of `size` units. Highlights the light `chosen`.
-void draw_marks(const ViewSession& session, const glm::dvec2& size,
+/// From the edge of the free area, in the panel's unit: the place of handles of lights that lie outside of it.
+constexpr double k_handle_margin = 26.0;
+
+/// Draws into the background layer of the panel. Highlights the light `chosen`.
+void draw_marks(const ViewSession& session, const FreeArea& area,
                 std::optional<std::size_t> chosen);
 
 /// The coordinate axes as the camera sees them, in the lower left corner of the area.

@@ -144,7 +144,7 @@ void ViewPanel::draw_choice(const Status& status, PanelRequests& requests) {
     ImGui::SetNextItemWidth(-0.3f * ImGui::GetWindowWidth());
     if (ImGui::BeginCombo("##shapes", "recent and built-in")) {
         for (const std::string& name : status.recent)
-            if (draw_name(name)) requests.open = name;
+            if (draw_path(name)) requests.open = name;
         if (!status.recent.empty()) ImGui::Separator();
         for (const std::string_view shape : k_built_in_shapes)
             if (ImGui::Selectable(std::string(shape).c_str()))
@@ -152,7 +152,10 @@ void ViewPanel::draw_choice(const Status& status, PanelRequests& requests) {
         ImGui::EndCombo();
     }
     ImGui::SameLine();
-    if (ImGui::Button(browses_ ? "Close" : "Browse", {-1.0f, 0.0f})) browses_ = !browses_;
+    if (ImGui::Button(browses_ ? "Close" : "Browse", {-1.0f, 0.0f})) {
+        browses_ = !browses_;
+        browser_.refresh();
+    }
     if (browses_)
         if (const auto chosen = browser_.draw(200.0f * status.scale)) {
             requests.open = *chosen;
@@ -171,16 +174,20 @@ void ViewPanel::draw_models(const ViewSession& session, PanelRequests& requests)
         const std::string name = std::filesystem::path(model.model).filename().string();
         if (ImGui::TreeNode("model", "%s", name.c_str())) {
             ImGui::SetNextItemWidth(-0.1f * ImGui::GetWindowWidth());
-            ImGui::DragFloat3("at", &model.at.x, step, 0.0f, 0.0f, "%.3g");
+            // The toolkit rounds what is dragged to the format otherwise.
+            constexpr ImGuiSliderFlags k_exact = ImGuiSliderFlags_NoRoundToFormat;
+            ImGui::DragFloat3("at", &model.at.x, step, 0.0f, 0.0f, "%.6g", k_exact);
             auto degrees = static_cast<float>(model.turn.degrees);
             same_width();
             if (ImGui::DragFloat(model.turn.axis ? "turn about its axis" : "turn", &degrees, 1.0f,
-                                 -360.0f, 360.0f, "%.0f deg", ImGuiSliderFlags_AlwaysClamp))
+                                 -360.0f, 360.0f, "%.4g deg",
+                                 k_exact | ImGuiSliderFlags_AlwaysClamp))
                 model.turn.degrees = double{degrees};
             auto scale = static_cast<float>(model.scale);
             same_width();
             if (ImGui::DragFloat("scale", &scale, 0.01f * scale, float(k_min_scale),
-                                 float(k_max_scale), "%.4g", ImGuiSliderFlags_AlwaysClamp))
+                                 float(k_max_scale), "%.4g",
+                                 k_exact | ImGuiSliderFlags_AlwaysClamp))
                 model.scale = std::clamp(double{scale}, k_min_scale, k_max_scale);
             draw_paint(session, model);
             if (placed_.size() > 1) {
@@ -340,8 +347,7 @@ void ViewPanel::draw_colors(ViewSession& session) {
         appearance.line_color = color;
     const ModelDocument* const model = session.document().model();
     if (!model || model->mesh().materials().empty()) return;
-    // A color of surfaces that the user has chosen hides those of the file.
-    bool shows_file_colors = appearance.materials && !appearance.color;
+    bool shows_file_colors = appearance.shows_file_colors();
     if (ImGui::Checkbox("colors of the file", &shows_file_colors)) {
         appearance.materials = shows_file_colors;
         if (shows_file_colors) appearance.color.reset();
@@ -474,7 +480,8 @@ void ViewPanel::draw(ViewSession& session, ViewInput& input, HoughPanel& hough,
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({margin, margin}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, display.y - 2.0f * margin});
-    ImGui::Begin("Rimline", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
+    is_folded_ = !ImGui::Begin("Rimline", nullptr,
+                               ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove);
     if (section("Model")) draw_model(session, status, requests);
     if (!session.is_empty()) {
         if (section("View")) {

@@ -72,6 +72,12 @@ public:
 
     /// Forgets what the user has changed of the models' places; for a scene that cannot be shown.
     void forget_places() noexcept { shown_.clear(); }
+    /// Whether only its title was shown in the last frame.
+    bool is_folded() const noexcept { return is_folded_; }
+    /// Of pictures to be saved.
+    void set_picture_size(ImageSize size) {
+        picture_size_ = {static_cast<int>(size.width), static_cast<int>(size.height)};
+    }
     /// Whether files that are opened are added to the scene.
     bool adds() const noexcept { return adds_; }
 
@@ -97,6 +103,7 @@ private:
     std::array<char, 1024> path_{};
     FileBrowser browser_;
     bool browses_ = false;
+    bool is_folded_ = false;
     bool adds_ = false;
     // The models of the document, and what the user makes of them.
     std::vector<PlacedModel> shown_, placed_;

@@ -120,6 +120,7 @@ void ViewAppearance::set_style(Style chosen) {
     background = defaults.background;
     color.reset();
     line_color.reset();
+    lines = chosen != Style::mask;  // A mask is black and white, nothing else.
     line_width_px = defaults.line_width_px;
     crease_angle_deg = defaults.crease_angle_deg;
     only_clear_creases = true;
@@ -165,6 +166,7 @@ void ViewSession::show(Document document, const Camera& chosen, std::vector<Ligh
     appearance.orthographic = chosen.is_orthographic();
     appearance.fov_y_deg = chosen.fov_y_deg;
     frozen_.reset();
+    scene_cameras_.clear();
 }
 
 void ViewSession::show(OpenedView opened) {
@@ -172,12 +174,15 @@ void ViewSession::show(OpenedView opened) {
     show(std::move(opened.document), opened.camera, std::move(opened.lights));
     if (opened.has_chosen_sun) note_chosen_sun();
     frozen_ = opened.frozen;
+    scene_cameras_ = std::move(opened.scene_cameras);
 }
 
 void ViewSession::replace(Document document) {
     const std::optional<Camera> frozen = frozen_;
+    nlohmann::ordered_json cameras = std::move(scene_cameras_);
     show(std::move(document), Camera(camera), std::vector<Light>(lights));
     frozen_ = frozen;
+    scene_cameras_ = std::move(cameras);
 }
 
 bool ViewSession::show_previous(double aspect) {
@@ -399,8 +404,7 @@ Scene ViewSession::scene() const {
          .name = model.name(),
          .material = {.color = appearance.color.value_or(
                           default_surface_color(appearance.style, appearance.background)),
-                      .shows_mesh_colors =
-                          model.has_paint() || (appearance.materials && !appearance.color),
+                      .shows_mesh_colors = model.has_paint() || appearance.shows_file_colors(),
                       .line_color = appearance.line_color,
                       .lines_in_mesh_colors = appearance.material_lines},
          .is_solid = model.is_solid()});
@@ -416,10 +420,14 @@ WrittenScene ViewSession::written_scene(ImageSize size) const {
     const Camera rounded = rounded_to_float(camera);
     std::vector<Light> rounded_lights = lights;
     for (Light& light : rounded_lights) light.vector = rounded_to_float(light.vector);
+    // The first one is that of the picture.
+    nlohmann::ordered_json cameras{{"window", scene_camera_json(rounded)}};
+    for (const auto& [name, other] : scene_cameras_.items())
+        if (name != "window") cameras[name] = other;
     return {.up = rounded_to_float(scene_up()),
             .models = model.models(),
             .lights = scene_lights_json(rounded_lights),
-            .cameras = {{"window", scene_camera_json(rounded)}},
+            .cameras = std::move(cameras),
             .picture = picture_json(appearance, is_three_point(), frozen_, size)};
 }
 

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <glm/vec2.hpp>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -24,9 +26,11 @@ namespace rimline::tools {
 struct ViewAppearance {
     /// With the defaults of the style.
     explicit ViewAppearance(Style chosen = Style::ink) { set_style(chosen); }
-    /// Changes the style. Colors, line width and creases become those of the style.
+    /// Changes the style. Colors, lines, their width and creases become those of the style.
     void set_style(Style chosen);
     LineStyle line_style() const;
+    /// A color of surfaces that the user has chosen hides those of the file.
+    bool shows_file_colors() const noexcept { return materials && !color; }
 
     Style style = Style::ink;
     glm::vec3 background{1.0f};  ///< Linear, as the two colors below.
@@ -68,6 +72,10 @@ struct FreeArea {
 
     double width() const { return std::max(window.x - left - right, 0.3 * window.x); }
     double aspect() const { return width() / std::max(window.y, 1e-9); }
+    /// Its corners, with a margin for marks.
+    std::pair<glm::dvec2, glm::dvec2> corners(double margin) const {
+        return {{left + margin, margin}, {left + width() - margin, window.y - margin}};
+    }
     bool operator==(const FreeArea&) const = default;
 };
 
@@ -80,6 +88,9 @@ struct OpenedView {
     ViewAppearance appearance;
     std::optional<Camera> frozen;  ///< Whose silhouette is shown.
     ChosenUp up;                   ///< Of the mesh of a model that stands alone.
+    /// What else a scene file has: the size of its picture, and all of its cameras.
+    std::optional<ImageSize> size;
+    nlohmann::ordered_json scene_cameras = nlohmann::ordered_json::object();
 };
 
 /// The scene of a model or of a cloud.
@@ -182,6 +193,7 @@ private:
     Document previous_;
     std::optional<Camera> frozen_;
     std::optional<glm::dvec3> chosen_sun_;
+    nlohmann::ordered_json scene_cameras_ = nlohmann::ordered_json::object();
 };
 
 }  // namespace rimline::tools

@@ -3,6 +3,9 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
+#include <cstdlib>
+#include <tuple>
 #include <utility>
 
 namespace rimline::tools {
@@ -13,6 +16,30 @@ std::string last_error() {
     const char* description = nullptr;
     glfwGetError(&description);
     return description != nullptr ? std::string(" (") + description + ")" : "";
+}
+
+// GLFW names keys by where they are on a US keyboard. Returns the one with the letter that the user's layout has there.
+int key_of_layout(int key) {
+    const char* const name = key != GLFW_KEY_UNKNOWN ? glfwGetKeyName(key, 0) : nullptr;
+    const bool is_letter = name && name[0] >= 'a' && name[0] <= 'z' && name[1] == '\0';
+    return is_letter ? GLFW_KEY_A + (name[0] - 'a') : key;
+}
+
+// No larger than what the screen leaves to windows.
+std::pair<int, int> fitting_size(int width, int height) {
+    constexpr double k_of_screen = 0.9;
+    GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+    if (!monitor) return {width, height};
+    int x = 0, y = 0, free_width = 0, free_height = 0;
+    glfwGetMonitorWorkarea(monitor, &x, &y, &free_width, &free_height);
+    float scale_x = 1.0f, scale_y = 1.0f;
+    glfwGetMonitorContentScale(monitor, &scale_x, &scale_y);
+    const double wide = double{scale_x} * width / free_width;
+    const double high = double{scale_y} * height / free_height;
+    if (!(std::max(wide, high) > 1.0)) return {width, height};
+    const double factor = k_of_screen / std::max(wide, high);
+    return {std::max(1, static_cast<int>(factor * width)),
+            std::max(1, static_cast<int>(factor * height))};
 }
 
 }  // namespace
@@ -27,7 +54,7 @@ struct Window::Events {
     }
 };
 
-Window::Window(const std::string& title, int width, int height)
+Window::Window(const std::string& title, int width, int height, bool fits_screen)
     : events_(std::make_unique<Events>()) {
 #ifdef GLFW_PLATFORM
     // From version 3.4 on, GLFW asks for a Wayland display first, and libwayland prints an error where there is none.
@@ -45,6 +72,7 @@ Window::Window(const std::string& title, int width, int height)
     }
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    if (fits_screen) std::tie(width, height) = fitting_size(width, height);
     window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
     if (window_ == nullptr) {
         const std::string reason = last_error();
@@ -70,7 +98,8 @@ void Window::listen() {
     glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
         k_mark(w);
         const bool is_shortcut = mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
-        if (action == GLFW_PRESS && !is_shortcut) Events::of(w).pressed_keys.push_back(key);
+        if (action == GLFW_PRESS && !is_shortcut)
+            Events::of(w).pressed_keys.push_back(key_of_layout(key));
     });
     glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { k_mark(w); });
     glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { k_mark(w); });

@@ -66,6 +66,17 @@ TEST_CASE("no orbit and no glance passes a pole, whatever is up") {
     }
 }
 
+TEST_CASE("a direction has the same place about another up axis") {
+    const glm::dvec3 direction = glm::normalize(glm::dvec3(1, 2, 3));
+    for (const glm::dvec3 up : {glm::dvec3(0, 0, 1), {0, -1, 0}, {1, 0, 0}}) {
+        const glm::dvec3 there = direction_about(direction, {0, 2, 0}, up);
+        CHECK(glm::length(there) == doctest::Approx(1.0));
+        CHECK(glm::dot(there, up) == doctest::Approx(direction.y));
+        CHECK(near(direction_about(there, up, {0, 1, 0}), direction));
+    }
+    CHECK(near(direction_about({0, 0, 1}, {0, 1, 0}, {0, 0, 1}), {0, -1, 0}));  // In front.
+}
+
 TEST_CASE("a view straight down can be orbited out of") {
     Camera camera{.eye = {0, 5, 0}, .target = {0, 0, 0}, .up = {0, 1, 0}};
     orbit(camera, {0.3, -0.5});

@@ -89,6 +89,46 @@ TEST_CASE("the wheel pushes lamps along the line of sight and suns through the m
     CHECK(glm::dot(light_handle(sun, k_model) - k_model.center, view.view_direction()) > 0.0);
 }
 
+TEST_CASE("a lamp goes no farther than coordinates reach, however far it is pushed or dragged") {
+    for (const double ortho_height : {0.0, 6.0})
+        for (const double radius : {1.7, 0x1p57}) {
+            const SceneBounds model{.center = {0.3, -0.2, 0.1}, .radius = radius};
+            Camera camera = some_camera(ortho_height);
+            camera.eye *= radius;
+            const ScreenView view(camera, k_light_handles_size);
+            Light lamp{.vector = radius * glm::dvec3(1, 2, -1), .directional = false};
+            for (int i = 0; i < 3000; ++i) push_light(lamp, model, view, 1.06);
+            const double pushed = glm::distance(lamp.vector, model.center);
+            CHECK(pushed <= 1.0001 * k_max_lamp_radii * radius);
+            CHECK(pushed > 3.0 * radius);
+            CHECK(HomogeneousPoint::is_valid(glm::vec3(lamp.vector)));
+            drag_light(lamp, model, view, {1e7, 1e7});
+            CHECK(HomogeneousPoint::is_valid(glm::vec3(lamp.vector)));
+        }
+}
+
+TEST_CASE("a handle outside of the window is shown at its edge") {
+    const ScreenView view(some_camera(0.0), k_light_handles_size);
+    const glm::dvec2 low(20.0), high = k_light_handles_size - 20.0;
+    const Light far_away{.vector = {100, 0, -40}, .directional = false};
+    const ShownHandle shown = shown_handle(far_away, k_model, view, low, high);
+    CHECK(shown.is_outside());
+    CHECK(shown.pixel.x == high.x);
+    CHECK(shown.outwards.x > 0.0);
+    const Light near_by{.vector = {0.3, 0, 0}, .directional = false};
+    const ShownHandle inside = shown_handle(near_by, k_model, view, low, high);
+    CHECK_FALSE(inside.is_outside());
+    CHECK(inside.pixel == *view.pixel_of(near_by.vector));
+    Light behind{.vector = {4, 30, 20}, .directional = false};
+    const ShownHandle above = shown_handle(behind, k_model, view, low, high);
+    CHECK(above.is_outside());
+    CHECK(above.pixel.y == low.y);
+    // It can be fetched.
+    drag_light(behind, k_model, view, above.pixel);
+    REQUIRE(view.pixel_of(behind.vector));
+    CHECK(glm::distance(*view.pixel_of(behind.vector), above.pixel) < 1e-6);
+}
+
 TEST_CASE("a sun becomes a lamp on the same side, and a lamp a sun from there") {
     const Light sun{.vector = glm::normalize(glm::dvec3(1, 2, -1)), .directional = true};
     const Light lamp = as_lamp(sun, k_model);

@@ -10,6 +10,7 @@
 #include "tools/output/same_picture.h"
 #include "tools/view/camera_motion.h"
 #include "tools/view/screen_view.h"
+#include "tools/view/view_arguments.h"
 
 using namespace rimline;
 using namespace rimline::tools;
@@ -470,4 +471,40 @@ TEST_CASE("a scene that the window writes says what the window shows") {
     CHECK_FALSE(session.written_scene({640, 480}).picture.contains("crease"));
     session.appearance.crease_angle_deg = 0.0f;
     CHECK(session.written_scene({640, 480}).picture["crease"] == 180.0);
+}
+
+TEST_CASE("a mask has no lines, and the next style has its own again") {
+    ViewAppearance appearance;
+    CHECK(appearance.lines);
+    appearance.set_style(Style::mask);
+    CHECK_FALSE(appearance.lines);
+    appearance.set_style(Style::hatch);
+    CHECK(appearance.lines);
+}
+
+TEST_CASE("a scene file that is saved again keeps its size and its other cameras") {
+    const tests::ScratchFolder folder;
+    const std::string path = (folder / "scene.json").string();
+    tests::write_bytes(path, R"({"rimline_scene": 1, "models": [{"model": "shape:box"}], "cameras":
+        {"front": {"eye": "front", "up": "z"}, "near": {"eye": [3, 2, 1], "fov": 12.5}},
+        "picture": {"size": "600x800"}})");
+    ParsedView parsed = open_view({path}, [](const std::string&) { return LongCall{}; });
+    CHECK(parsed.is_scene_file);
+    REQUIRE(parsed.view.size);
+    CHECK(parsed.view.size->width == 600);
+    CHECK(parsed.view.size->height == 800);
+    ViewSession session;
+    session.show(std::move(parsed.view));
+    const std::string again = (folder / "again.json").string();
+    tests::write_bytes(again, scene_text(session.written_scene({600, 800}), again));
+    const SceneFile before = read_scene_file(path), after = read_scene_file(again);
+    REQUIRE(after.cameras.size() == 3);
+    CHECK(after.cameras[0].name == "window");
+    for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(after.cameras[i + 1].name == before.cameras[i].name);
+        CHECK(after.cameras[i + 1].json == before.cameras[i].json);
+    }
+    // Those of another document are not its own.
+    session.show(open("shape:knot"), 1.0);
+    CHECK(session.written_scene({600, 800}).cameras.size() == 1);
 }

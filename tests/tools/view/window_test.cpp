@@ -26,6 +26,7 @@
 #include "tools/view/camera_motion.h"
 #include "tools/view/coarseness.h"
 #include "tools/view/screen_view.h"
+#include "tools/view/view_arguments.h"
 #include "tools/view/view_loop.h"
 
 using namespace rimline;
@@ -559,6 +560,74 @@ TEST_CASE("a model is added in the window beside the other, seen by the same cam
     CHECK(shown.session.command({320, 240}, "a.png").find("--at") != std::string::npos);
     shown.loop->open({"scene.json"}, true);
     CHECK(shown.loop->message().find("cannot be added") != std::string::npos);
+}
+
+// Steps without events until nothing is due.
+void settle(ViewLoop& loop) {
+    for (int step = 0; step < 500; ++step)
+        if (!loop.step(false) && !loop.is_coarse()) return;
+    FAIL("it does not rest");
+}
+
+TEST_CASE(
+    "best views are shown when they are found, without an event, and a path through them ends") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = true});
+    settle(*shown.loop);
+    for (int i = 0; i < 3000 && shown.loop->gallery().is_finding(); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    settle(*shown.loop);
+    CHECK(shown.loop->gallery().views().size() == ViewGallery::k_views);
+    CHECK(shown.loop->shown_views() == ViewGallery::k_views);
+    // The user's own view ends the path.
+    REQUIRE(shown.loop->gallery().path());
+    const auto moves = [&] {
+        const glm::dvec3 eye = shown.session.camera.eye;
+        std::this_thread::sleep_for(std::chrono::milliseconds(30));
+        shown.loop->step(true);
+        return shown.session.camera.eye != eye;
+    };
+    tap(shown.window, GLFW_KEY_SPACE);
+    shown.loop->step(true);
+    shown.loop->step(true);
+    CHECK(moves());
+    tap(shown.window, GLFW_KEY_F);
+    shown.loop->step(true);
+    shown.loop->step(true);
+    CHECK_FALSE(moves());
+}
+
+TEST_CASE("colors of files that a painted scene does not show are loaded when they are asked for") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = true});
+    shown.session.show(
+        open_view({"shape:box", "shape:knot:800", "--paint", "red"}, [](const std::string&) {
+            return LongCall{};
+        }).view);
+    for (const bool wanted : {false, true}) {
+        shown.session.appearance.materials = wanted;
+        for (int i = 0; i < 2000 && shown.session.model().has_file_colors() != wanted; ++i)
+            shown.loop->step(true);
+        CHECK(shown.session.model().has_file_colors() == wanted);
+        CHECK(shown.session.model().has_paint());
+        CHECK(shown.session.appearance.materials == wanted);
+    }
+}
+
+TEST_CASE("keys that have nothing to do for a cloud say why") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = true, .fits = false}, /*as_points=*/true);
+    shown.capture();
+    for (const int key : {GLFW_KEY_G, GLFW_KEY_I, GLFW_KEY_C, GLFW_KEY_X}) {
+        const bool had_ground = shown.session.appearance.ground;
+        tap(shown.window, key);
+        shown.loop->step(true);
+        CHECK(shown.session.appearance.ground == had_ground);
+        const std::string& told = shown.loop->message();
+        const bool says_why =
+            told.find("model") != std::string::npos || told.find("cloud") != std::string::npos;
+        CHECK(says_why);
+    }
 }
 
 TEST_CASE("clouds and models take each other's place in the window") {
