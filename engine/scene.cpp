@@ -17,14 +17,18 @@ BoundingSphere SceneInstance::bounds() const {
     return {mesh().center(), mesh().radius()};
 }
 
+glm::dvec3 point_in_world(const SceneInstance& instance, const glm::dvec3& point) {
+    return instance.rotation * (instance.scale * point) + instance.translation;
+}
+
 SceneBounds bounds_of(const Scene& scene) {
     glm::dvec3 low(0.0);
     glm::dvec3 high(0.0);
     bool first = true;
     const auto in_world = [](const SceneInstance& instance) {
         const BoundingSphere sphere = instance.bounds();
-        return BoundingSphere{instance.rotation * sphere.center + instance.translation,
-                              sphere.radius};
+        return BoundingSphere{point_in_world(instance, sphere.center),
+                              instance.scale * sphere.radius};
     };
     for (const SceneInstance& instance : scene.instances) {
         const auto [center, radius] = in_world(instance);

@@ -40,7 +40,7 @@ struct Material {
     bool lines_in_mesh_colors = false;
 };
 
-/// A mesh placed in the world: world = rotation * object + translation. The octree and its mesh must live until a
+/// A mesh placed in the world: world = rotation * (scale * object) + translation. The octree and its mesh must live until a
 /// renderer that has drawn them prepares or draws a scene without them, or is destroyed; afterwards it does not read
 /// them, and others may have their addresses.
 struct SceneInstance {
@@ -57,6 +57,7 @@ struct SceneInstance {
     /// about 50 ns a face.
     bool has_deep_shadows = false;
     glm::dmat3 rotation{1.0};  ///< Without scale and reflection (is_rotation(), camera.h).
+    double scale = 1.0;        ///< The same along all axes; greater than 0.
     glm::dvec3 translation{0.0};
     Material material;
     /// False: its color is not drawn, because another renderer has drawn it, or nobody does. It hides what lies
@@ -85,6 +86,9 @@ struct SceneInstance {
     /// In the instance's own coordinates. O(1).
     BoundingSphere bounds() const;
 };
+
+/// Where a point of an instance's own coordinates is.
+glm::dvec3 point_in_world(const SceneInstance& instance, const glm::dvec3& point);
 
 struct Light {
     /// A position, or a direction from the scene towards the light: of any length but 0.

@@ -25,13 +25,14 @@ float random_of(float value) {
 // The steps along the surface per pixel to the right and up, in the mesh's coordinates. They use the
 // smooth normal, not differences between pixels, because strokes must not show the triangles.
 void surface_steps(vec3 position, vec3 normal, out vec3 right_step, out vec3 up_step) {
-    const mat3 axes = transpose(instance.eye_from_object);
+    const mat3 scaled_axes = transpose(instance.eye_from_object);
     const vec3 from_camera = position - instance.camera;
     const vec2 clip_w = frame.clip_w;
-    const float w = clip_w.x * dot(axes[2], from_camera) + clip_w.y;
+    const float w = clip_w.x * dot(scaled_axes[2], from_camera) + clip_w.y;
+    const mat3 axes = instance.inverse_scale * scaled_axes;
     const vec3 ray = clip_w.x == 0.0 ? -axes[2] : normalize(from_camera);
-    const float pixel = 2.0 * w / (abs(frame.clip_scale.x) * frame.guard *
-                                   frame.extent.x);
+    const float pixel = instance.inverse_scale * 2.0 * w /
+                        (abs(frame.clip_scale.x) * frame.guard * frame.extent.x);
     const float facing = min(dot(normal, ray), -0.12);
     right_step = pixel * (axes[0] - ray * (dot(normal, axes[0]) / facing));
     up_step = pixel * (axes[1] - ray * (dot(normal, axes[1]) / facing));

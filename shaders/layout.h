@@ -206,14 +206,17 @@ struct InstanceData {
     // For surfaces with textures, else 0.
     RIMLINE_ADDRESS(FaceList) textured_faces;  // All faces, ordered by texture.
     RIMLINE_ADDRESS(CornerUvs) corner_uvs;
-    mat3 eye_from_object;  // Rotation into the camera's axes: x right, y up, z towards the viewer.
-    vec3 camera;           // The camera's position.
-    vec4 viewpoint;        // The camera's silhouette point, homogeneous.
-    vec3 center;           // Center of the mesh.
+    // Rotation into the camera's axes: x right, y up, z towards the viewer. Times the instance's scale.
+    mat3 eye_from_object;
+    float inverse_scale;  // Of the instance.
+    vec3 camera;          // The camera's position.
+    vec4 viewpoint;       // The camera's silhouette point, homogeneous.
+    vec3 center;          // Center of the mesh.
     vec3 color;
-    vec3 ink;           // Color of its strokes.
-    float fade_radius;  // If > 0, the surface fades into the background at this distance from ...
-    vec3 fade_center;   // ... this point.
+    vec3 ink;  // Color of its strokes.
+    // If > 0, the surface fades into the background at this distance, in the mesh's coordinates, from ...
+    float fade_radius;
+    vec3 fade_center;  // ... this point.
     uint has_corner_colors;
 };
 
@@ -269,7 +272,8 @@ static_assert(sizeof(EdgeRecord) == 16 && sizeof(FacePairRecord) == 28 &&
               sizeof(PlacedWrite) == 8 && sizeof(TriangleRecord) == 12);
 static_assert(sizeof(SlotArguments) == 64);
 static_assert(sizeof(FrameData) == 4 * 27);
-static_assert(sizeof(InstanceData) == 18 * 8 + 4 * (9 + 3 + 4 + 3 + 3 + 3 + 1 + 3 + 1));
+// Its addresses align it to 8 bytes: the last 4 are unused.
+static_assert(sizeof(InstanceData) == 18 * 8 + 4 * (9 + 1 + 3 + 4 + 3 + 3 + 3 + 1 + 3 + 1) + 4);
 static_assert(sizeof(LightData) == 4 * 8 + 4 * 8);
 static_assert(sizeof(DrawConstants) == 8 && sizeof(SobelConstants) == 28);
 }  // namespace rimline::gpu

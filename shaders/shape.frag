@@ -9,7 +9,7 @@ layout(location = 1) in vec3 normal;
 layout(location = 0) out vec4 shape;
 
 void main() {
-    vec3 n = instance.eye_from_object * normalize(normal);
+    vec3 n = instance.inverse_scale * (instance.eye_from_object * normalize(normal));
     if (!gl_FrontFacing) n = -n;
     const bool is_orthographic = frame.clip_w.x == 0.0;
     const float depth = is_orthographic ? gl_FragCoord.z : gl_FragCoord.w;

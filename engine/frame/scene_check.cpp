@@ -66,6 +66,7 @@ void check_instance(const SceneInstance& instance) noexcept {
     RIMLINE_CHECK(instance.deforming != nullptr || instance.octree != nullptr);
     RIMLINE_CHECK(is_rotation(instance.rotation));
     RIMLINE_CHECK(is_place(instance.translation));
+    RIMLINE_CHECK(instance.scale > 0.0 && std::isfinite(instance.scale));
     check_material(instance.material);
     if (instance.deforming != nullptr) check_deformation(instance.deformation);
     if (instance.picture_lines != nullptr) check_lines(*instance.picture_lines);

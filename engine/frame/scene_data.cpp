@@ -44,10 +44,10 @@ GpuMesh::Creases creases_of(const Scene& scene) {
 
 float finite_extrusion(const Light& light, const SceneInstance& instance,
                        const SceneBounds& bounds) {
-    if (light.directional) return float(k_finite_extrusion_radii * bounds.radius);
+    if (light.directional) return float(k_finite_extrusion_radii * bounds.radius / instance.scale);
     const BoundingSphere sphere = instance.bounds();
-    const glm::dvec3 center = instance.rotation * sphere.center + instance.translation;
-    const double begin = glm::distance(light.vector, center) - sphere.radius;
+    const glm::dvec3 center = point_in_world(instance, sphere.center);
+    const double begin = glm::distance(light.vector, center) - instance.scale * sphere.radius;
     const double end = glm::distance(light.vector, bounds.center) + 1.01 * bounds.radius;
     if (begin * k_max_extrusion_times <= end) return float(k_max_extrusion_times);
     return float(end / begin);
@@ -64,13 +64,15 @@ ShadowView shadow_view(const FrameView& view, const SceneInstance& instance) {
     if (!shadow.orthographic) {
         // The near plane is where clip.z is clip.w; at its corners clip.x and clip.y are too.
         const double near = projection.z[1];
-        shadow.near_reach = near * glm::length(glm::dvec3(
-                                       (1.0 + glm::abs(projection.shift)) / projection.scale, 1.0));
+        shadow.near_reach =
+            near / instance.scale *
+            glm::length(glm::dvec3((1.0 + glm::abs(projection.shift)) / projection.scale, 1.0));
     } else {
         // Depth ends at -z[1] / z[0] along the view, and begins at (1 - z[1]) / z[0].
         const double eye = glm::dot(shadow.back, shadow.eye);
-        shadow.far = eye - projection.z[1] / projection.z[0];
-        if (scene.camera.projection) shadow.near = eye + (1.0 - projection.z[1]) / projection.z[0];
+        const double per_depth = 1.0 / (projection.z[0] * instance.scale);
+        shadow.far = eye - projection.z[1] * per_depth;
+        if (scene.camera.projection) shadow.near = eye + (1.0 - projection.z[1]) * per_depth;
     }
     return shadow;
 }
@@ -201,33 +203,35 @@ gpu::InstanceData instance_data(const FrameView& view, std::size_t i, const GpuM
         has_material_inks(view.scene, instance, mesh) ? &*mesh.materials() : nullptr;
     const GpuMaterials* faces = colors ? colors : inks;
     const GpuTextures* textures = kind == SurfaceColors::textures ? &*colors->textures() : nullptr;
-    return {.positions = mesh.positions(),
-            .triangles = mesh.triangles(),
-            .corner_normals = mesh.corner_normals(),
-            .edges = mesh.edges(),
-            .loose_edges = mesh.loose_edges(),
-            .borders = mesh.borders(),
-            .creases = mesh.creases(creases_of(view.scene)),
-            .slots = slots,
-            .planes = mesh.comparator() ? mesh.comparator()->planes() : 0,
-            .irregular_pairs = mesh.comparator() ? mesh.comparator()->irregular_pairs() : 0,
-            .segments = 0,
-            .materials = colors ? colors->base_colors() : 0,
-            .face_materials = faces ? faces->of_face() : 0,
-            .corner_colors = colors ? colors->corner_colors() : 0,
-            .material_inks = inks ? inks->ink_numbers() : 0,
-            .hull_normals = mesh.hull_normals(),
-            .textured_faces = textures ? textures->faces() : 0,
-            .corner_uvs = textures ? textures->corner_uvs() : 0,
-            .eye_from_object = glm::mat3(view.eye_from_world * instance.rotation),
-            .camera = eye.xyz(),
-            .viewpoint = {viewpoint.x, viewpoint.y, viewpoint.z, viewpoint.w},
-            .center = mesh.center(),
-            .color = instance.material.color,
-            .ink = line_color(view.scene, instance),
-            .fade_radius = float(instance.fade_radius),
-            .fade_center = glm::vec3(point_in_object(instance, instance.fade_center)),
-            .has_corner_colors = colors && colors->has_corner_colors() ? 1u : 0u};
+    return {
+        .positions = mesh.positions(),
+        .triangles = mesh.triangles(),
+        .corner_normals = mesh.corner_normals(),
+        .edges = mesh.edges(),
+        .loose_edges = mesh.loose_edges(),
+        .borders = mesh.borders(),
+        .creases = mesh.creases(creases_of(view.scene)),
+        .slots = slots,
+        .planes = mesh.comparator() ? mesh.comparator()->planes() : 0,
+        .irregular_pairs = mesh.comparator() ? mesh.comparator()->irregular_pairs() : 0,
+        .segments = 0,
+        .materials = colors ? colors->base_colors() : 0,
+        .face_materials = faces ? faces->of_face() : 0,
+        .corner_colors = colors ? colors->corner_colors() : 0,
+        .material_inks = inks ? inks->ink_numbers() : 0,
+        .hull_normals = mesh.hull_normals(),
+        .textured_faces = textures ? textures->faces() : 0,
+        .corner_uvs = textures ? textures->corner_uvs() : 0,
+        .eye_from_object = glm::mat3(instance.scale * (view.eye_from_world * instance.rotation)),
+        .inverse_scale = float(1.0 / instance.scale),
+        .camera = eye.xyz(),
+        .viewpoint = {viewpoint.x, viewpoint.y, viewpoint.z, viewpoint.w},
+        .center = mesh.center(),
+        .color = instance.material.color,
+        .ink = line_color(view.scene, instance),
+        .fade_radius = float(instance.fade_radius / instance.scale),
+        .fade_center = glm::vec3(point_in_object(instance, instance.fade_center)),
+        .has_corner_colors = colors && colors->has_corner_colors() ? 1u : 0u};
 }
 
 }  // namespace rimline

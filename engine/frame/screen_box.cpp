@@ -34,7 +34,8 @@ std::optional<ScreenBox> screen_box(const Camera& camera, const glm::dmat3& eye_
                                     std::span<const glm::dvec3> points,
                                     const glm::dvec2& picture_px) {
     const glm::dvec3 place(glm::vec3(point_in_object(instance, camera.eye)));
-    const glm::dmat3 eye_from_object(glm::mat3(eye_from_world * instance.rotation));
+    const glm::dmat3 eye_from_object(
+        glm::mat3(instance.scale * (eye_from_world * instance.rotation)));
     const double near = camera.is_orthographic() ? 0.0 : projection.z[1];
     ScreenBox rect;
     bool is_before = false;
@@ -42,7 +43,7 @@ std::optional<ScreenBox> screen_box(const Camera& camera, const glm::dmat3& eye_
     for (const glm::dvec3& point : points) {
         const glm::dvec3 eye = eye_from_object * (point - place);
         const double w = projection.w[0] * eye.z + projection.w[1];
-        const double rounding = k_transform_rounding * glm::length(point - place);
+        const double rounding = k_transform_rounding * instance.scale * glm::length(point - place);
         const double w_rounding = std::abs(projection.w[0]) * rounding;
         if (w + w_rounding <= near) {
             is_behind = true;

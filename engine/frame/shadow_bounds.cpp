@@ -283,8 +283,8 @@ ShadowBounds::Box ShadowBounds::box_of(std::size_t instance) const {
     // As instance_data() has them.
     const glm::dvec3 camera = rounded_to_float(point_in_object(placed, view_.scene.camera.eye));
     const glm::dmat3 axes = rounded_to_float(view_.eye_from_world * placed.rotation);
-    const glm::dvec3 low = box.low - camera;
-    const glm::dvec3 high = box.high - camera;
+    const glm::dvec3 low = placed.scale * (box.low - camera);
+    const glm::dvec3 high = placed.scale * (box.high - camera);
     return {axes, low, high, glm::length(glm::max(glm::abs(low), glm::abs(high)))};
 }
 
@@ -339,11 +339,13 @@ ShadowBounds::ShadowBounds(const FrameView& view, bool has_backdrop)
 ShadowReach ShadowBounds::reach_of(std::size_t instance, std::size_t light, float extrusion) const {
     const Box caster = box_of(instance);
     const HomogeneousPoint& point = view_.instances[instance].lights[light].point;
-    const glm::dvec3 camera =
-        rounded_to_float(point_in_object(view_.scene.instances[instance], view_.scene.camera.eye));
-    const glm::dvec4 from = point.is_direction()
-                                ? glm::dvec4(glm::dvec3(point.xyz()), 0.0)
-                                : glm::dvec4(glm::dvec3(point.xyz()) - camera, 1.0);
+    const SceneInstance& placed = view_.scene.instances[instance];
+    const glm::dvec3 camera = rounded_to_float(point_in_object(placed, view_.scene.camera.eye));
+    const glm::dvec4 from =
+        point.is_direction() ? glm::dvec4(glm::dvec3(point.xyz()), 0.0)
+                             : glm::dvec4(placed.scale * (glm::dvec3(point.xyz()) - camera), 1.0);
+    // A direction's is a length in the instance's coordinates.
+    const double length = (point.is_direction() ? placed.scale : 1.0) * double{extrusion};
     // Volumes are wrong by their vertices' error times their length over the distance from the light: growing the
     // box widens them alike. Their length is at most the reach of the receiver and of the caster together.
     double all_reach = caster.reach;
@@ -355,7 +357,7 @@ ShadowReach ShadowBounds::reach_of(std::size_t instance, std::size_t light, floa
     if (space.is_everything() && has_backdrop_) return whole_picture(view_);
     PictureReach reach(view_, slack);
     if (has_backdrop_) {
-        reach.include(vertices_of(space, extrusion), ScreenBox::everywhere());
+        reach.include(vertices_of(space, length), ScreenBox::everywhere());
         return reach.reach();
     }
     const double tolerance = k_tolerance * all_reach;

@@ -40,7 +40,7 @@ public:
     static constexpr std::size_t k_max_receivers = 16;
 
 private:
-    // A box with its own axes, relative to the camera and in the camera's axes.
+    // A box with its own axes, relative to the camera, in the camera's axes and the world's unit.
     struct Box {
         glm::dmat3 axes;  // Unit vectors, nearly at right angles.
         glm::dvec3 low, high;

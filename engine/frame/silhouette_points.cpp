@@ -21,7 +21,7 @@ bool casts_shadows(const Scene& scene, const SceneInstance& instance, const Ligh
 }
 
 glm::dvec3 point_in_object(const SceneInstance& instance, const glm::dvec3& world) {
-    return glm::transpose(instance.rotation) * (world - instance.translation);
+    return glm::transpose(instance.rotation) * (world - instance.translation) / instance.scale;
 }
 glm::dvec3 direction_in_object(const SceneInstance& instance, const glm::dvec3& world) {
     return glm::transpose(instance.rotation) * world;

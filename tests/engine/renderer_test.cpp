@@ -6,6 +6,7 @@
 #include <memory>
 #include <ranges>
 #include <utility>
+#include <vector>
 
 #include "engine/stream/tracked_silhouette.h"
 #include "engine/view_defaults.h"
@@ -357,6 +358,71 @@ TEST_CASE("moving the object and moving everything else the other way give the s
     scene.lights[0].vector = turn * scene.lights[0].vector;
     // The camera's own axes are rounded elsewhere in double: a few pixels at edges may differ.
     CHECK(agreement(plain, renderer.render(scene, 128, 128)) > 0.995);
+}
+
+// A mesh with all lengths times `factor`.
+MeshSource scaled(MeshSource source, float factor) {
+    for (glm::vec3& position : source.positions) position *= factor;
+    return source;
+}
+
+TEST_CASE("an instance of another scale is the picture of a mesh of that size") {
+    RIMLINE_OPEN_GPU(gpu);
+    const MeshSource knot = make_built_in_shape("knot", 2500);
+    const tests::Model model(knot), small(make_built_in_shape("box", 12));
+    std::vector<std::unique_ptr<tests::Model>> sizes;  // Each has an address of its own.
+    Renderer renderer(gpu->context()), other(gpu->context());
+    const glm::dmat3 turn(glm::dvec3(0, 0, -1), glm::dvec3(0, 1, 0), glm::dvec3(1, 0, 0));
+    // Powers of two round nothing; strokes are random by coordinates.
+    struct Case {
+        double scale;
+        Style style;
+        double agreement;
+    };
+    for (const Case& c : {Case{4.0, Style::ink, 1.0}, Case{0.125, Style::toon, 1.0},
+                          Case{2.0, Style::mask, 1.0}, Case{0.25, Style::blueprint, 1.0},
+                          Case{3.3, Style::toon, 0.99}, Case{4.0, Style::hatch, 0.7}}) {
+        CAPTURE(c.scale);
+        sizes.push_back(std::make_unique<tests::Model>(scaled(knot, float(c.scale))));
+        const tests::Model& large = *sizes.back();
+        for (const bool orthographic : {false, true})
+            for (const bool lamp : {false, true}) {
+                CAPTURE(orthographic);
+                CAPTURE(lamp);
+                Scene expected = scene_of(large.mesh, large.octree, c.style);
+                expected.crease_angle_deg = 40.0f;
+                expected.instances[0].rotation = turn;
+                expected.instances[0].translation = c.scale * glm::dvec3(0.5, -0.25, 1.0);
+                // One that receives shadows, and one in front that casts them.
+                expected.instances.push_back({.octree = &small.octree,
+                                              .scale = 0.25 * c.scale,
+                                              .translation = c.scale * glm::dvec3(0.5, 1.5, 0.0)});
+                const double radius = large.mesh.radius();
+                if (lamp)
+                    expected.lights[0] = {.vector = radius * glm::dvec3(1.0, 2.5, 1.5),
+                                          .directional = false};
+                if (orthographic) expected.camera.ortho_height = 3.0 * radius;
+                Scene scene = expected;
+                scene.instances[0].octree = &model.octree;
+                scene.instances[0].scale = c.scale;
+                CHECK(agreement(renderer.render(scene, 160, 160),
+                                other.render(expected, 160, 160)) >= c.agreement);
+                CHECK(renderer.report().silhouette == other.report().silhouette);
+            }
+    }
+    // A mesh that deforms, and a surface that fades.
+    if (!gpu->context().round_to_nearest_float32) return;
+    const tests::Model large(scaled(knot, 4.0f));
+    Scene expected = scene_of(large.mesh, large.octree, Style::toon);
+    expected.instances[0].octree = nullptr;
+    expected.instances[0].deforming = &large.mesh;
+    expected.instances[0].deformation = default_wave(large.mesh, {0, 1, 0}, 0.25);
+    expected.instances[0].fade_radius = large.mesh.radius();
+    Scene scene = expected;
+    scene.instances[0].deforming = &model.mesh;
+    scene.instances[0].deformation = default_wave(model.mesh, {0, 1, 0}, 0.25);
+    scene.instances[0].scale = 4.0;
+    CHECK(agreement(renderer.render(scene, 96, 96), other.render(expected, 96, 96)) > 0.99);
 }
 
 TEST_CASE("all sizes and sample counts draw, down to one pixel") {

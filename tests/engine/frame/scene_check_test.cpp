@@ -46,6 +46,9 @@ TEST_CASE("numbers of a scene outside of their limits stop the program") {
     CHECK(stops_with([](Scene& s) { s.instances[0].rotation[0] *= -1.0; }));
     CHECK(stops_with([](Scene& s) { s.instances[0].rotation[2][1] = k_nan; }));
     CHECK(stops_with([](Scene& s) { s.instances[0].translation.x = k_nan; }));
+    CHECK_FALSE(stops_with([](Scene& s) { s.instances[0].scale = 1e-6; }));
+    for (const double scale : {0.0, -1.0, k_nan})
+        CHECK(stops_with([&](Scene& s) { s.instances[0].scale = scale; }));
     CHECK(stops_with([](Scene& s) { s.instances[0].fade_radius = -1.0; }));
     CHECK(stops_with([](Scene& s) { s.lights[0].vector = glm::dvec3(0.0); }));
     CHECK(stops_with([](Scene& s) { s.lights[0].vector = {0, k_nan, 0}; }));
