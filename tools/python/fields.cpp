@@ -1,5 +1,6 @@
 #include "tools/python/fields.h"
 
+#include <CLI/Error.hpp>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -16,6 +17,7 @@
 #include "silhouette/field/tangential_field.h"
 #include "tools/bindings/bound_renderer.h"
 #include "tools/options/model_argument.h"
+#include "tools/options/placed_model.h"
 #include "tools/options/scene_lights.h"
 #include "tools/options/up_option.h"
 #include "tools/options/view_camera.h"
@@ -34,10 +36,21 @@ namespace {
 // Of the picture for which target and field of view of a view are given.
 constexpr double k_aspect = 4.0 / 3.0;
 
+// A direction, or a word as --up takes it.
 glm::dvec3 up_of(const Mesh& mesh, const py::object& up) {
     std::optional<glm::vec3> given;
-    if (!up.is_none()) given = glm::vec3(direction_of(up, "up"));
-    return tools::choose_up(mesh, given, false).up;
+    bool is_auto = false;
+    if (py::isinstance<py::str>(up)) {
+        try {
+            given = tools::parse_up_choice("up", up.cast<std::string>()).direction;
+        } catch (const CLI::ValidationError& error) {
+            throw py::value_error(error.what());
+        }
+        is_auto = !given;
+    } else if (!up.is_none()) {
+        given = glm::vec3(direction_of(up, "up"));
+    }
+    return tools::choose_up(mesh, given, is_auto).up;
 }
 
 class PythonField {

@@ -108,6 +108,14 @@ def test_lights_are_those_of_the_command(knot):
         assert sun == pytest.approx(told, abs=1e-5) and np.linalg.norm(sun) == pytest.approx(1)
     with pytest.raises(ValueError):
         rimline.best_light(knot, (3, 2, 4), by="luck")
+    for axis, direction in (("z", (0, 0, 1)), ("-y", (0, -1, 0))):
+        named = rimline.best_light(knot, (3, 2, 4), up=axis)
+        assert (named == rimline.best_light(knot, (3, 2, 4), up=direction)).all()
+        views = [rimline.best_views(knot, 1, visible=False, up=up)[0] for up in (axis, direction)]
+        assert (views[0].eye == views[1].eye).all() and (views[0].up == np.array(direction)).all()
+    assert (rimline.best_views(knot, 1, visible=False, up="auto")[0].up == knot.up).all()
+    with pytest.raises(ValueError, match="up: .*'w'"):
+        rimline.best_light(knot, (3, 2, 4), up="w")
     with pytest.raises(ValueError, match="center"):
         rimline.best_light(knot, knot.center)
 

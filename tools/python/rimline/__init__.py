@@ -268,7 +268,7 @@ def best_views(
     renderer: Renderer | None = None,
     below: str = "less",
     by_area: bool = False,
-    up: Vector | None = None,
+    up: Vector | str | None = None,
     progress: Any = None,
 ) -> list[View]:
     """The viewpoints that together show a mesh best, the best one first.
@@ -276,6 +276,7 @@ def best_views(
     visible: weigh votes by the visible share of the silhouette, which is drawn by `renderer` or on the default device.
     below: 'less', views from below, from behind and of the ends of long meshes count less; 'full', they do not.
     by_area: planes count by the areas of their faces. count: 1 to 64; there are fewer views where no other shows more.
+    up: a direction, an axis as 'z' or '-y', or 'auto': along which the mesh stands; None: mesh.up.
     """
     if not isinstance(visible, (bool, np.bool_)):
         raise TypeError(f"visible: expected True or False, not {visible!r}")
@@ -288,7 +289,7 @@ def camera_path(
     mesh: Mesh,
     views: SupportsIndex | Sequence[View] | npt.NDArray[Any] = 4,
     *,
-    up: Vector | None = None,
+    up: Vector | str | None = None,
     progress: Any = None,
     **options: Any,
 ) -> CameraPath:

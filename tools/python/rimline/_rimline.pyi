@@ -227,7 +227,7 @@ class View:
     def visible_ratio(self) -> float | None: ...
 
 class CameraPath:
-    def __init__(self, mesh: Mesh, eyes: _Rows, *, up: _Vector | None = None, progress: _Progress = None) -> None: ...
+    def __init__(self, mesh: Mesh, eyes: _Rows, *, up: _Vector | str | None = None, progress: _Progress = None) -> None: ...
     @property
     def nodes(self) -> npt.NDArray[np.float64]: ...
     @property
@@ -241,11 +241,16 @@ def _best_views(
     renderer: Renderer | None,
     below: str,
     by_area: bool,
-    up: _Vector | None,
+    up: _Vector | str | None,
     progress: _Progress,
 ) -> list[View]: ...
 def best_light(
-    mesh: Mesh, eye: _Vector, *, by: str = "tones", up: _Vector | None = None, progress: _Progress = None
+    mesh: Mesh,
+    eye: _Vector,
+    *,
+    by: str = "tones",
+    up: _Vector | str | None = None,
+    progress: _Progress = None,
 ) -> npt.NDArray[np.float64]: ...
 
 class PointSilhouette:
