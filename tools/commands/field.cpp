@@ -16,6 +16,7 @@
 #include "silhouette/field/named_functions.h"
 #include "silhouette/field/tangential_field.h"
 #include "tools/command.h"
+#include "tools/options/exact_text.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/option_types.h"
 #include "tools/output/json_vector.h"
@@ -159,11 +160,11 @@ private:
 
     // To be called last: after a failure standard output must be empty.
     void print(const nlohmann::ordered_json& object, std::size_t planes, double error_bound) const {
-        std::printf("%s: %zu planes, %s; values are right to %.3g\n", model_.model.c_str(), planes,
-                    function_.c_str(), error_bound);
+        std::printf("%s: %zu plane%s, %s; values are right to %.3g\n", model_.model.c_str(), planes,
+                    planes == 1 ? "" : "s", function_.c_str(), error_bound);
         for (std::size_t i = 0; i < at_.size(); ++i)
-            std::printf("  %.9g,%.9g,%.9g  %.9g\n", double{at_[i].x}, double{at_[i].y},
-                        double{at_[i].z}, object["values"][i].get<double>());
+            std::printf("  %s  %.9g\n", vector_text(at_[i]).c_str(),
+                        object["values"][i].get<double>());
         if (!slice_) return;
         const auto& slice = object["slice"];
         const auto at = slice["greatest_at"].get<std::array<double, 3>>();

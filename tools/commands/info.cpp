@@ -15,8 +15,10 @@
 #include "silhouette/points/neighbor_lists.h"
 #include "silhouette/points/point_cloud.h"
 #include "tools/command.h"
+#include "tools/options/exact_text.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/standard_input.h"
+#include "tools/options/up_option.h"
 #include "tools/progress.h"
 
 namespace rimline::tools {
@@ -97,8 +99,8 @@ void print_place(const Extent& extent) {
     std::printf("  center      %.9g,%.9g,%.9g\n", extent.center.x, extent.center.y,
                 extent.center.z);
     std::printf("  radius      %.9g\n", extent.radius);
-    std::printf("  bounds      %.9g,%.9g,%.9g to %.9g,%.9g,%.9g\n", extent.low.x, extent.low.y,
-                extent.low.z, extent.high.x, extent.high.y, extent.high.z);
+    std::printf("  bounds      %s to %s\n", vector_text(glm::vec3(extent.low)).c_str(),
+                vector_text(glm::vec3(extent.high)).c_str());
 }
 
 // What the file says of the edges of its mesh; nothing if it says nothing.
@@ -108,7 +110,7 @@ std::optional<EdgeVisibilityCounts> edge_classes(const MeshSource& source, const
 }
 
 void print_summary(const std::string& model, const Mesh& mesh, const Extent& extent,
-                   const std::optional<EdgeVisibilityCounts>& drawn) {
+                   const ChosenUp& up, const std::optional<EdgeVisibilityCounts>& drawn) {
     const auto size_of = [&](EdgeClass c) { return mesh.edges_of_class(c).size(); };
     std::printf("%s\n", model.c_str());
     std::printf("  vertices    %u used, %u in the file\n", extent.vertices,
@@ -125,6 +127,10 @@ void print_summary(const std::string& model, const Mesh& mesh, const Extent& ext
                 mesh.is_closed() ? "closed" : "open",
                 mesh.is_oriented() ? "oriented" : "not oriented");
     print_place(extent);
+    const char* const why = up.source == ChosenUp::Source::mesh     ? "along which the model stands"
+                            : up.source == ChosenUp::Source::format ? "by the file's format"
+                                                                    : "assumed";
+    std::printf("  up          %s, %s\n", axis_name(up.up).c_str(), why);
     const UsedMaterials materials(mesh.materials());
     if (materials.count == 0) return;
     std::printf("  materials   %zu%s\n", materials.count,
@@ -160,12 +166,15 @@ public:
         const Mesh mesh = make_mesh(model_.model, source, context);
         const Extent extent = cloud ? cloud->extent : extent_of(mesh);
         const std::optional<EdgeVisibilityCounts> drawn = edge_classes(source, mesh);
+        // Clouds stand on nothing.
+        const ChosenUp up =
+            cloud && !mesh.is_up_known() ? ChosenUp{} : choose_up(mesh, std::nullopt, false);
         context.times.end("measuring");
         if (!context.json) {
             if (cloud)
                 print_cloud(mesh.file_vertex_count(), extent, *cloud);
             else
-                print_summary(model_.model, mesh, extent, drawn);
+                print_summary(model_.model, mesh, extent, up, drawn);
             return ExitStatus::success;
         }
         const auto size_of = [&](EdgeClass c) { return mesh.edges_of_class(c).size(); };
@@ -201,7 +210,8 @@ public:
                     {"center", list(extent.center)},
                     {"radius", extent.radius},
                     {"bounds", {list(extent.low), list(extent.high)}},
-                    {"up", mesh.up() == UpAxis::z ? "z" : "y"},
+                    {"up", list(up.up)},
+                    {"up_from", up_source_name(up.source)},
                     {"materials", materials.count},
                     {"textures", materials.textures}});
         return ExitStatus::success;

@@ -20,6 +20,7 @@
 #include "tools/command.h"
 #include "tools/commands/method_choice.h"
 #include "tools/nearest_name.h"
+#include "tools/options/exact_text.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/option_types.h"
 #include "tools/output/line_output.h"
@@ -255,11 +256,9 @@ private:
         const Mesh::EdgeRange range = mesh.edges_of_class(EdgeClass::border);
         if (with_borders_)
             for (std::uint32_t e = range.first; e < range.last; ++e) borders.push_back(EdgeId{e});
-        std::array<char, 128> seen{};
-        std::snprintf(seen.data(), seen.size(), " %s %.9g,%.9g,%.9g",
-                      point.is_direction() ? "along" : "from", double{point.x}, double{point.y},
-                      double{point.z});
-        const std::string title = printable_text("Silhouette of " + model_.model + seen.data());
+        const std::string title = printable_text("Silhouette of " + model_.model +
+                                                 (point.is_direction() ? " along " : " from ") +
+                                                 vector_text(point.xyz()));
         return tools::format_lines({mesh, point, silhouette, borders, title}, format);
     }
 

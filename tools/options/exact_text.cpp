@@ -28,6 +28,10 @@ std::string exact_text(float value) {
 
 std::string exact_text(double value) { return shortest(value); }
 
+std::string vector_text(const glm::vec3& v) {
+    return exact_text(v.x) + "," + exact_text(v.y) + "," + exact_text(v.z);
+}
+
 std::string quoted_for_shell(const std::string& text) {
     constexpr std::string_view k_plain =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_@%+=:,./-";

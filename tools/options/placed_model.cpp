@@ -35,10 +35,6 @@ double parse_finite(const std::string& option, const std::string& text,
     return number;
 }
 
-std::string vector_text(const glm::vec3& v) {
-    return exact_text(v.x) + "," + exact_text(v.y) + "," + exact_text(v.z);
-}
-
 void append_positions(MeshSource& all, const PlacedSource& placed) {
     glm::dvec3 low(std::numeric_limits<double>::max()), high(-low);
     all.positions.reserve(all.positions.size() + placed.source->positions.size());

@@ -70,13 +70,16 @@ const char* up_source_name(ChosenUp::Source source) {
     return "";
 }
 
-void print_up(const ChosenUp& chosen) {
-    if (chosen.source != ChosenUp::Source::mesh) return;
+std::string axis_name(const glm::dvec3& up) {
     for (std::size_t i = 0; i < k_axis_names.size(); ++i)
-        if (chosen.up == k_axis_directions[i])
-            std::printf(
-                "  up          %s, along which the model stands; --up y keeps it as it is\n",
-                k_axis_names[i].data());
+        if (up == k_axis_directions[i]) return std::string(k_axis_names[i]);
+    return "";
+}
+
+void print_up(const ChosenUp& chosen) {
+    if (chosen.source == ChosenUp::Source::mesh)
+        std::printf("  up          %s, along which the model stands; --up y keeps it as it is\n",
+                    axis_name(chosen.up).c_str());
 }
 
 }  // namespace rimline::tools

@@ -37,6 +37,8 @@ ChosenUp settle_up(const Mesh& mesh, std::optional<glm::vec3>& up, bool is_auto)
 
 /// "option", "format", "mesh" or "assumed".
 const char* up_source_name(ChosenUp::Source source);
+/// As --up takes it: "z", "-y". Empty for a direction along no axis.
+std::string axis_name(const glm::dvec3& up);
 /// One line that says how to overrule a choice by the mesh. Prints nothing for other choices.
 void print_up(const ChosenUp& chosen);
 

@@ -64,4 +64,6 @@ def test_info_tells_what_a_cloud_is():
         with open(path) as file:
             piped = run("info", "-", "--format", "ply", input=file.read())
         assert piped.returncode == 0 and "6 in the file, 1 of them repeated" in piped.stdout, piped
-    assert succeed("info", "shape:box")["cloud"] is None
+    box = succeed("info", "shape:box")
+    assert box["cloud"] is None and (box["up"], box["up_from"]) == ([0, 1, 0], "format")
+    assert "  up          y, by the file's format\n" in run("info", "shape:box").stdout

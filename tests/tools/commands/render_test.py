@@ -190,6 +190,8 @@ def test_up_is_chosen_where_nobody_says_it():
             assert (said["up"], said["up_from"]) == (up, source), (model, options, said["up"])
         assert "  up          z, " in run("render", lying, *draw).stdout and "--up y" in run("render", lying, *draw).stdout
         assert "  up " not in run("render", standing, *draw).stdout
+        told = succeed("info", lying)
+        assert (told["up"], told["up_from"]) == ([0, 0, 1], "mesh")
         for command in ("views", "path"):
             assert succeed(command, lying, "-k", "2", "--no-ratio")["up_from"] == "mesh"
         # `draw` takes the same side as up.
