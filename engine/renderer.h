@@ -23,9 +23,9 @@
 #include "engine/frame_report.h"
 #include "engine/renderer_options.h"
 #include "engine/scene.h"
+#include "engine/silhouette_changes.h"
 #include "engine/vulkan/picture_target.h"
 #include "engine/vulkan/upload_point.h"
-#include "silhouette/mesh/homogeneous_point.h"
 #include "silhouette/picture.h"
 
 namespace rimline {
@@ -33,26 +33,6 @@ namespace rimline {
 struct DeviceContext;
 class FramesInFlight;
 class RenderTargets;
-
-/// A buffer from its first byte: for commands, and for shaders.
-struct BufferHandle {
-    VkBuffer buffer = VK_NULL_HANDLE;
-    VkDeviceAddress address = 0;
-};
-
-/// The silhouette of one instance in device memory, as the frame recorded last leaves it: for a caller's own commands
-/// after that frame. The frame makes it visible to draws that read it as indirect arguments, and to compute, vertex,
-/// geometry and fragment shaders as storage; for other uses, as a copy or an index buffer, add a barrier after
-/// compute shaders and copies. The buffers stay the same while Renderer keeps the silhouette (Renderer::render()).
-struct SilhouetteBuffers {
-    HomogeneousPoint point;   ///< The silhouette point, in the instance's coordinates.
-    BufferHandle slots;       ///< Edge numbers, 32 bits each; as many as the arguments draw.
-    BufferHandle face_words;  ///< One bit a face, 32 to a word (silhouette/mesh/face_bits.h).
-    /// Four VkDrawIndirectCommand, to draw the slots as points, as strips of four vertices, or as sides of
-    /// shadow volumes (SlotArguments in shaders/layout.h). The first one's vertex count is the silhouette's
-    /// size.
-    BufferHandle arguments;
-};
 
 class Renderer {
 public:

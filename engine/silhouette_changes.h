@@ -1,10 +1,14 @@
 #pragma once
 
-// How silhouettes changed from one frame to the next, as numbers for reports.
+// What a frame tells of its silhouettes: how they changed since the one before, as numbers for reports, and where they
+// are in device memory.
+
+#include <vulkan/vulkan.h>
 
 #include <cstdint>
 
 #include "silhouette/hough/change_set.h"
+#include "silhouette/mesh/homogeneous_point.h"
 
 namespace rimline {
 
@@ -27,6 +31,26 @@ struct SilhouetteChanges {
         update_us += other.update_us;
         return *this;
     }
+};
+
+/// A buffer from its first byte: for commands, and for shaders.
+struct BufferHandle {
+    VkBuffer buffer = VK_NULL_HANDLE;
+    VkDeviceAddress address = 0;
+};
+
+/// The silhouette of one instance in device memory, as the frame recorded last leaves it: for a caller's own commands
+/// after that frame. The frame makes it visible to draws that read it as indirect arguments, and to compute, vertex,
+/// geometry and fragment shaders as storage; for other uses, as a copy or an index buffer, add a barrier after
+/// compute shaders and copies. The buffers stay the same while Renderer keeps the silhouette (Renderer::render()).
+struct SilhouetteBuffers {
+    HomogeneousPoint point;   ///< The silhouette point, in the instance's coordinates.
+    BufferHandle slots;       ///< Edge numbers, 32 bits each; as many as the arguments draw.
+    BufferHandle face_words;  ///< One bit a face, 32 to a word (silhouette/mesh/face_bits.h).
+    /// Four VkDrawIndirectCommand, to draw the slots as points, as strips of four vertices, or as sides of
+    /// shadow volumes (SlotArguments in shaders/layout.h). The first one's vertex count is the silhouette's
+    /// size.
+    BufferHandle arguments;
 };
 
 }  // namespace rimline

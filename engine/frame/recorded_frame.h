@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/frame_report.h"
-#include "engine/renderer.h"
+#include "engine/silhouette_changes.h"
 #include "engine/stream/deforming_instance.h"
 #include "engine/stream/tracked_silhouette.h"
 
