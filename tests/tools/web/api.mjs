@@ -51,6 +51,16 @@ test("a tracker goes from one silhouette to the next by its changes", () => {
   }
 });
 
+test("any number of errors leaves the module as it was", () => {
+  const mesh = box();
+  const expected = Array.from(mesh.silhouette([4, 5, 6]));
+  for (let i = 0; i < 20000; ++i) {
+    assert.throws(() => new Mesh([NaN, 0, 0], []), /positions: a coordinate of vertex 0/);
+    if (i % 1000 === 0) assert.deepEqual(Array.from(mesh.silhouette([4, 5, 6])), expected);
+  }
+  assert.deepEqual(Array.from(new Tracker(box(), [4, 5, 6]).silhouette).sort(), expected.sort());
+});
+
 test("split vertices are one, unless welding is off", () => {
   const soup = new Float32Array(TRIANGLES.flatMap((corner) => CORNERS.slice(3 * corner, 3 * corner + 3)));
   const welded = new Mesh(soup);

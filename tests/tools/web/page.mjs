@@ -31,7 +31,10 @@ const FILES = {
   "text.ply": ["not a PLY"],
   "nan.obj": ["v 0 0 0", "v nan 0 0", "v 0 1 0", "f 1 2 3"],
   "empty.obj": ["v 0 0 0"],
+  // Too far out for a camera around it.
+  "huge.obj": ["v 1e18 1e18 1e18", "v 1e18 -1e18 -1e18", "v -1e18 1e18 -1e18", "v -1e18 -1e18 1e18", ...FACES.map((f) => `f ${f.map((v) => v + 1).join(" ")}`)],
 };
+FILES["slow.obj"] = FILES["tetrahedron.obj"];
 for (const [name, lines] of Object.entries(FILES)) writeFileSync(join(made, name), `${lines.join("\n")}\n`);
 execFileSync(program, ["convert", "shape:knot:20000", "-o", join(made, "knot.glb")]);
 
@@ -111,6 +114,37 @@ await withBrowser({ build, made, tests: fileURLToPath(new URL(".", import.meta.u
       assert.ok((await numberOf("silhouette")) > 0);
       assert.deepEqual(browser.problems, [], name);
     }
+  });
+
+  await test("of several files the one chosen last is shown, whichever is read last", async () => {
+    await browser.evaluate(`{
+      const read = Blob.prototype.arrayBuffer;
+      Blob.prototype.arrayBuffer = async function () {
+        if (this.name === "slow.obj") await new Promise((then) => setTimeout(then, 1000));
+        return read.call(this);
+      };
+    }`);
+    await drop("/made/slow.obj");
+    await drop("/made/knot.glb");
+    await shown("knot.glb");
+    await setTimeout(1500);
+    assert.equal(await browser.evaluate(`document.getElementById("name").textContent`), "knot.glb");
+  });
+
+  await test("the page goes on with a model that is too large to be looked at", async () => {
+    await drop("/made/huge.obj");
+    await setTimeout(1000);
+    await drop("/made/tetrahedron.obj");
+    await shown("tetrahedron.obj");
+    assert.ok((await darkPixels("after_huge")) > 500);
+    assert.deepEqual(browser.problems, []);
+  });
+
+  await test("every control can be reached by the keyboard", async () => {
+    const order = await browser.evaluate(`[...document.querySelectorAll("#panel select, #panel input")]
+      .map((control) => [control.id, control.offsetParent !== null || control === document.activeElement, control.tabIndex])`);
+    for (const [id, isLaidOut, tabIndex] of order) assert.ok(isLaidOut && tabIndex === 0, id);
+    assert.ok(order.some(([id]) => id === "file"));
   });
 
   for (const model of models().filter((model) => /\.(obj|ply|stl|glb)$/.test(model) && basename(model) !== "igea.ply"))

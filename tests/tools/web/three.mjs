@@ -237,6 +237,97 @@ test("an object without volume keeps its lines, and wrong geometries are errors"
   assert.throws(() => new SilhouetteLines(rimline, new THREE.BufferGeometry()), /^TypeError: geometry: expected the attribute position/);
 });
 
+test("objects that are nearly flat or tiny keep or find their lines, and nothing throws", () => {
+  const geometry = knot();
+  const mesh = meshOf(rimline, geometry);
+  const lines = new SilhouetteLines(rimline, geometry, { mesh });
+  const copy = new Copy(lines);
+  for (let i = 0; i < 3000; ++i) {
+    lines.scale.multiplyScalar(0.9);
+    lines.update(perspective(5, 1, 2));
+    if (i < 300) assert.deepEqual(copy.render(), expected(geometry, mesh, new THREE.Vector3(5, 1, 2).divideScalar(lines.scale.x), lines));
+  }
+  const { lineCount } = lines;
+  const parent = new THREE.Group().add(lines);
+  parent.scale.set(1, 0, 1);
+  for (let i = 0; i < 500; ++i) {
+    lines.scale.set(1, 1, 1);
+    lines.rotation.set(0.01 * i, 0.02 * i, 0.03 * i);
+    lines.update(perspective(5, 1, 2));
+    assert.equal(lines.lineCount, lineCount);
+  }
+  parent.scale.set(1, 1e-19, 1);
+  lines.update(perspective(5, 1, 2));
+});
+
+test("any projection is followed: oblique, of a plain camera, of several eyes, of a scene that is not updated", () => {
+  const geometry = new THREE.SphereGeometry(1, 24, 16);
+  const mesh = meshOf(rimline, geometry);
+  const lines = new SilhouetteLines(rimline, geometry, { mesh });
+  const copy = new Copy(lines);
+  const oblique = new THREE.OrthographicCamera(-2, 2, 2, -2, 0.1, 20);
+  oblique.position.set(0, 0, 5);
+  oblique.projectionMatrix.multiply(new THREE.Matrix4().set(1, 0, 0.5, 0, 0, 1, 0.25, 0, 0, 0, 1, 0, 0, 0, 0, 1));
+  oblique.projectionMatrixInverse.copy(oblique.projectionMatrix).invert();
+  lines.update(oblique);
+  assert.deepEqual(copy.render(), expected(geometry, mesh, { direction: [-0.5, -0.25, 1] }, lines));
+  const parallel = new THREE.OrthographicCamera(-2, 2, 2, -2, 0.1, 20);
+  for (const near of [0.1, 20]) { // And with depth the other way round.
+    const plain = new THREE.Camera();
+    plain.position.set(3, 1, 5);
+    plain.lookAt(0, 0, 0);
+    Object.assign(parallel, { near, far: 20.1 - near });
+    parallel.updateProjectionMatrix();
+    plain.projectionMatrix.copy(parallel.projectionMatrix);
+    plain.projectionMatrixInverse.copy(parallel.projectionMatrixInverse);
+    lines.update(plain);
+    assert.deepEqual(copy.render(), expected(geometry, mesh, { direction: [3, 1, 5] }, lines));
+  }
+  const eyes = new THREE.ArrayCamera([]);
+  eyes.matrixWorld.makeTranslation(4, 2, 1); // As a rig sets it.
+  lines.update(eyes);
+  assert.deepEqual(copy.render(), expected(geometry, mesh, [4, 2, 1], lines));
+  const scene = new THREE.Scene().add(lines);
+  scene.updateMatrixWorld();
+  scene.matrixWorldAutoUpdate = false;
+  lines.position.x = 2; // Which the renderer does not draw.
+  lines.update(perspective(5, 1, 2));
+  assert.deepEqual(copy.render(), expected(geometry, mesh, [5, 1, 2], lines));
+});
+
+test("the draw range of a geometry says what its mesh is", () => {
+  const indexed = new THREE.BoxGeometry();
+  indexed.setDrawRange(0, 7); // The last one is no triangle.
+  assert.deepEqual([meshOf(rimline, indexed).faceCount, meshOf(rimline, indexed).borderCount], [2, 4]);
+  const { array } = new THREE.BoxGeometry().toNonIndexed().getAttribute("position");
+  const roomy = new THREE.BufferGeometry().setAttribute("position", new THREE.BufferAttribute(new Float32Array(300).fill(NaN), 3));
+  roomy.getAttribute("position").array.set(array, 9);
+  roomy.setDrawRange(3, 36);
+  const lines = new SilhouetteLines(rimline, roomy);
+  lines.update(perspective(4, 5, 6));
+  assert.equal(lines.lineCount, 6);
+  const ten = new THREE.BufferGeometry().setAttribute("position", new THREE.BufferAttribute(array.slice(0, 30), 3));
+  assert.equal(meshOf(rimline, ten).faceCount, 3);
+});
+
+test("lines that go leave the positions of the model, and options that are none are errors", () => {
+  for (const Lines of [SilhouetteLines, WideSilhouetteLines]) {
+    const geometry = knot();
+    const lines = new Lines(rimline, geometry, { material: null, mesh: null });
+    const [position] = [geometry.getAttribute("position")];
+    lines.geometry.addEventListener("dispose", ({ target }) =>
+      assert.ok(!Object.values(target.attributes).includes(position)));
+    lines.dispose();
+    const mesh = meshOf(rimline, geometry);
+    const shared = new Lines(rimline, geometry, { mesh });
+    shared.dispose(); // Before its first update.
+    assert.throws(() => shared.update(perspective(1, 2, 3)), /disposed of/);
+    assert.throws(() => new Lines(rimline, geometry, { border: true }), /^TypeError: lines: there is no option border/);
+    assert.throws(() => new Lines(rimline, geometry, null), /^TypeError: lines: expected an object/);
+    assert.throws(() => new Lines(rimline, geometry).copy(new Lines(rimline, geometry)), /use clone/);
+  }
+});
+
 test("positions may be normalized integers or interleaved", () => {
   const geometry = new THREE.BoxGeometry(2, 2, 2).toNonIndexed();
   const { array } = geometry.getAttribute("position");

@@ -16,6 +16,8 @@ const lines = new SilhouetteLines(rimline, geometry, { borders: true, mesh: mesh
 const wide = new WideSilhouetteLines(rimline, geometry);
 new THREE.Scene().add(lines, wide);
 lines.update(new THREE.PerspectiveCamera());
+lines.material.color.set(0xff0000); // A LineBasicMaterial.
+new rimline.Mesh([0, 0, 0] as const, [0, 0, 0] as const);
 wide.material.linewidth = lines.lineCount + wide.writtenCount;
 wide.dispose();
 

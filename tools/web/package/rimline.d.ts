@@ -38,8 +38,8 @@ export interface MeshConstructor {
    * @param options `weld`: equal positions are one vertex, so that seams make no borders; true by default
    */
   new (
-    positions: Float32Array | Float64Array | number[],
-    indices?: Uint32Array | Uint16Array | Uint8Array | Int32Array | Int16Array | Int8Array | number[] | null,
+    positions: Float32Array | Float64Array | readonly number[],
+    indices?: Uint32Array | Uint16Array | Uint8Array | Int32Array | Int16Array | Int8Array | readonly number[] | null,
     options?: { weld?: boolean },
   ): Mesh;
 }
@@ -84,8 +84,8 @@ export interface Rimline {
 /**
  * Loads `rimline.wasm`. Objects of different calls do not know each other.
  *
- * @param options `wasm`: where the module is (relative to the page, in Node to the working folder), its bytes, or the
- *   module; by default the file beside this one
+ * @param options `wasm`: where the module is (a URL relative to the page, in a worker to its script; in Node a path or a
+ *   URL), its bytes, or the module; by default the file beside this one
  */
 export function createRimline(options?: {
   wasm?: URL | string | ArrayBuffer | ArrayBufferView | WebAssembly.Module;

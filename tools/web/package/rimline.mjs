@@ -26,7 +26,23 @@ export async function createRimline(options) {
   const { exports } = await WebAssembly.instantiate(module, imports);
   memory = exports.memory;
   exports._initialize();
-  return makeClasses(exports);
+  return makeClasses(unwinding(exports));
+}
+
+// An error leaves the module's functions without giving back their part of its stack.
+function unwinding(exports) {
+  const top = exports.stackSave();
+  const guarded = (call) => (...values) => {
+    try {
+      return call(...values);
+    } catch (error) {
+      exports.stackRestore(top);
+      throw error;
+    }
+  };
+  const isFunction = ([, value]) => typeof value === "function";
+  const functions = Object.entries(exports).filter(isFunction).map(([name, call]) => [name, guarded(call)]);
+  return { ...Object.fromEntries(functions), memory: exports.memory };
 }
 
 async function compile(wasm) {
@@ -37,13 +53,23 @@ async function compile(wasm) {
     throw new TypeError(`wasm: expected a URL, a path, bytes or a module, not ${wasm}`);
   const url = await urlOf(wasm);
   if (url.protocol === "file:") {
-    const { readFile } = await import(/* webpackIgnore: true */ /* @vite-ignore */ "node:fs/promises");
-    return WebAssembly.compile(await readFile(url));
+    const { readFile } = await nodeModule("fs/promises");
+    return compileBytes(url, await readFile(url));
   }
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${url}: ${response.status} ${response.statusText}`);
-  return WebAssembly.compile(await response.arrayBuffer());
+  return compileBytes(url, new Uint8Array(await response.arrayBuffer()));
 }
+
+// Servers of single-page applications answer every address with their page.
+function compileBytes(url, bytes) {
+  if (String.fromCharCode(...bytes.subarray(0, 4)) !== "\0asm")
+    throw new Error(`${url}: this is no WebAssembly; createRimline({ wasm }) says where rimline.wasm is`);
+  return WebAssembly.compile(bytes);
+}
+
+// By a name that bundlers for browsers do not look for.
+const nodeModule = (name) => import(/* webpackIgnore: true */ /* @vite-ignore */ `node:${name}`);
 
 // An object of options, or none, with these names alone.
 function optionsOf(name, known, options = {}) {
@@ -54,12 +80,13 @@ function optionsOf(name, known, options = {}) {
   return options;
 }
 
-// Relative to the page, or without one to the working folder.
+// Relative to the page, or in a worker to its script. Without either it is a path, or a URL.
 async function urlOf(wasm) {
   if (wasm instanceof URL) return wasm;
   if (globalThis.location !== undefined) return new URL(wasm, globalThis.location.href);
-  const { pathToFileURL } = await import(/* webpackIgnore: true */ /* @vite-ignore */ "node:url");
-  return new URL(wasm, pathToFileURL(`${globalThis.process.cwd()}/`));
+  if (/^[a-z][a-z0-9+.-]+:/i.test(wasm)) return new URL(wasm); // One letter is a drive.
+  const { pathToFileURL } = await nodeModule("url");
+  return pathToFileURL(wasm);
 }
 
 // The classes of one instance of the module.

@@ -20,10 +20,12 @@ export class FollowedLines {
   #edges;
   #borderCount;
   #tracker = null;
+  #isDisposed = false;
 
-  constructor(rimline, geometry, { mesh, borders = false } = {}) {
+  constructor(rimline, geometry, options) {
+    const { mesh = null, borders = false } = lineOptions(options);
     this.rimline = rimline;
-    this.#ownsMesh = mesh === undefined;
+    this.#ownsMesh = mesh === null;
     this.#mesh = mesh ?? meshOf(rimline, geometry);
     this.#edges = this.#mesh.edges;
     this.#borderCount = borders ? this.#mesh.borderCount : 0;
@@ -39,9 +41,11 @@ export class FollowedLines {
    * range in `attribute`, which has `size` numbers for each line.
    */
   follow(camera, object, attribute, size, write) {
+    if (this.#isDisposed) throw new Error("these lines were disposed of");
     const worldFromObject = worldMatrixOf(object);
-    if (worldFromObject.determinant() === 0) return; // It has no volume, so nobody sees it.
+    if (!hasVolume(worldFromObject)) return; // Flat as a sheet, it has no silhouette: the lines stay as they are.
     const point = pointOf(camera, worldFromObject.invert());
+    if (point === null) return;
     let [first, end] = pendingRange(attribute, size);
     this.writtenCount = 0;
     const place = (line, edge) => {
@@ -68,9 +72,21 @@ export class FollowedLines {
   }
 
   dispose() {
+    this.#isDisposed = true;
     this.#tracker?.dispose();
     if (this.#ownsMesh) this.#mesh.dispose();
   }
+}
+
+const LINE_OPTIONS = ["material", "mesh", "borders"];
+
+/** The options of lines, none of them unknown. */
+export function lineOptions(options = {}) {
+  if (typeof options !== "object" || options === null)
+    throw new TypeError(`lines: expected an object of options, not ${options}`);
+  for (const option of Object.keys(options))
+    if (!LINE_OPTIONS.includes(option)) throw new TypeError(`lines: there is no option ${option}`);
+  return options;
 }
 
 /** Lines one pixel wide, as WebGL has them, whose only numbers are pairs of vertices. */
@@ -79,7 +95,8 @@ export class SilhouetteLines extends LineSegments {
   #source;
   #ownMaterial = null;
 
-  constructor(rimline, geometry, { material, ...options } = {}) {
+  constructor(rimline, geometry, allOptions) {
+    const { material = null, ...options } = lineOptions(allOptions);
     const lines = new FollowedLines(rimline, geometry, options);
     const index = new BufferAttribute(new Uint32Array(2 * lines.capacity), 1).setUsage(DynamicDrawUsage);
     const drawn = new BufferGeometry().setAttribute("position", geometry.getAttribute("position")).setIndex(index);
@@ -87,7 +104,7 @@ export class SilhouetteLines extends LineSegments {
     drawn.boundingSphere = geometry.boundingSphere;
     drawn.setDrawRange(0, 0);
     super(drawn, material ?? new LineBasicMaterial({ color: 0x000000 }));
-    if (material === undefined) this.#ownMaterial = this.material;
+    if (material === null) this.#ownMaterial = this.material;
     this.#source = { rimline, geometry, options };
     this.#lines = lines;
   }
@@ -116,14 +133,19 @@ export class SilhouetteLines extends LineSegments {
     return clonedLines(this, new this.constructor(rimline, geometry, { ...options, material: this.material }), recursive);
   }
 
+  copy() {
+    throw new Error("copy() of silhouette lines would share their buffers: use clone()");
+  }
+
   dispose() {
     this.#lines.dispose();
+    this.geometry.deleteAttribute("position"); // The renderer's buffer of it is the model's too.
     this.geometry.dispose();
     this.#ownMaterial?.dispose();
   }
 }
 
-/** The mesh of a geometry, with or without index, for several lines to share. */
+/** The mesh of what a geometry draws, with or without index, for several lines to share. */
 export function meshOf(rimline, geometry) {
   const position = geometry.getAttribute("position");
   if (position === undefined || position.itemSize !== 3)
@@ -134,7 +156,19 @@ export function meshOf(rimline, geometry) {
     for (let i = 0; i < position.count; ++i)
       positions.set([position.getX(i), position.getY(i), position.getZ(i)], 3 * i);
   }
-  return new rimline.Mesh(positions, geometry.index?.array);
+  const { index, drawRange } = geometry;
+  const last = Math.min(index?.count ?? position.count, drawRange.start + drawRange.count);
+  const count = 3 * Math.floor(Math.max(0, last - drawRange.start) / 3);
+  if (count === (index?.count ?? position.count)) return new rimline.Mesh(positions, index?.array);
+  // Buffers that are larger than what they draw may hold anything beyond it.
+  const corners = new Uint32Array(count);
+  const drawn = new Float32Array(positions.length);
+  for (let i = 0; i < count; ++i) {
+    const vertex = index?.getX(drawRange.start + i) ?? drawRange.start + i;
+    corners[i] = vertex;
+    drawn.set(positions.subarray(3 * vertex, 3 * vertex + 3), 3 * vertex);
+  }
+  return new rimline.Mesh(drawn, corners);
 }
 
 // The lines that the last updates marked and the renderer has not written yet: first, and one past the last.
@@ -144,15 +178,33 @@ function pendingRange({ updateRanges }, size) {
   return [start / size, (start + count) / size];
 }
 
-// The camera in the space of an object: its eye, or for an orthographic one the direction towards it.
+// Whether a matrix makes solids of solids, but for rounding.
+function hasVolume(matrix) {
+  const axis = (column) => new Vector3().setFromMatrixColumn(matrix, column).length();
+  return Math.abs(matrix.determinant()) > 1e-12 * axis(0) * axis(1) * axis(2);
+}
+
+// The camera in the space of an object: its eye, or for a parallel projection, and an eye beyond all numbers, the
+// direction towards it. Null where the object is too small for either.
 function pointOf(camera, objectFromWorld) {
   const objectFromCamera = objectFromWorld.multiply(worldMatrixOf(camera));
-  if (camera.isOrthographicCamera) return { direction: new Vector3().setFromMatrixColumn(objectFromCamera, 2) };
-  return new Vector3().setFromMatrixPosition(objectFromCamera);
+  const eye = new Vector3().setFromMatrixPosition(objectFromCamera);
+  // The viewer is where all rays meet: what the projection maps to (0, 0, 1, 0).
+  const [x, y, z, w] = camera.projectionMatrixInverse.elements.slice(8, 12);
+  if (w !== 0 && Math.max(Math.abs(eye.x), Math.abs(eye.y), Math.abs(eye.z)) < 2 ** 59) return eye;
+  const ray = new Vector3(x, y, z);
+  if (ray.z < 0) ray.negate(); // Towards the viewer, whichever end of depth is near.
+  const direction = w !== 0 ? eye : ray.transformDirection(objectFromCamera);
+  direction.normalize();
+  return Math.abs(direction.length() - 1) < 0.1 ? { direction } : null;
 }
 
 // What a renderer would use now. `matrixWorld` is older where something moved since the last frame.
 function worldMatrixOf(object) {
+  let root = object;
+  while (root.parent !== null) root = root.parent;
+  // Renderers leave these as they are: of several eyes, and in a scene that is not updated.
+  if (object.isArrayCamera || (root.isScene && !root.matrixWorldAutoUpdate)) return object.matrixWorld.clone();
   const matrix = new Matrix4();
   for (let part = object; part !== null; part = part.parent) {
     if (!part.matrixWorldAutoUpdate) return matrix.premultiply(part.matrixWorld);

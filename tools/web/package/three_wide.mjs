@@ -4,7 +4,7 @@ import { DynamicDrawUsage, InstancedInterleavedBuffer, InterleavedBufferAttribut
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
-import { FollowedLines, clonedLines } from "./three.mjs";
+import { FollowedLines, clonedLines, lineOptions } from "./three.mjs";
 
 /** Lines as wide as their material says. They take three times the memory of SilhouetteLines. */
 export class WideSilhouetteLines extends LineSegments2 {
@@ -14,7 +14,8 @@ export class WideSilhouetteLines extends LineSegments2 {
   #source;
   #ownMaterial = null;
 
-  constructor(rimline, geometry, { material, ...options } = {}) {
+  constructor(rimline, geometry, allOptions) {
+    const { material = null, ...options } = lineOptions(allOptions);
     const lines = new FollowedLines(rimline, geometry, options);
     const ends = new InstancedInterleavedBuffer(new Float32Array(6 * lines.capacity), 6).setUsage(DynamicDrawUsage);
     const drawn = new LineSegmentsGeometry();
@@ -24,7 +25,7 @@ export class WideSilhouetteLines extends LineSegments2 {
     drawn.boundingSphere = geometry.boundingSphere;
     drawn.instanceCount = 0;
     super(drawn, material ?? new LineMaterial({ color: 0x000000, linewidth: 2 }));
-    if (material === undefined) this.#ownMaterial = this.material;
+    if (material === null) this.#ownMaterial = this.material;
     this.#source = { rimline, geometry, options };
     this.#lines = lines;
     this.#position = geometry.getAttribute("position");
@@ -58,6 +59,10 @@ export class WideSilhouetteLines extends LineSegments2 {
   clone(recursive) {
     const { rimline, geometry, options } = this.#source;
     return clonedLines(this, new this.constructor(rimline, geometry, { ...options, material: this.material }), recursive);
+  }
+
+  copy() {
+    throw new Error("copy() of silhouette lines would share their buffers: use clone()");
   }
 
   dispose() {

@@ -9,10 +9,25 @@ import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { SHAPES, readModel } from "./models.mjs";
 
 const element = (id) => document.getElementById(id);
-const rimline = await createRimline();
 
-const renderer = new THREE.WebGLRenderer({ canvas: element("canvas"), antialias: true });
-renderer.setPixelRatio(devicePixelRatio);
+function showError(message) {
+  element("error").textContent = message;
+  element("error").hidden = false;
+}
+
+// What the page cannot do without.
+async function orSayWhyNot(start) {
+  try {
+    return await start();
+  } catch (error) {
+    element("name").textContent = "";
+    showError(`This browser cannot show the page: ${error.message}`);
+    throw error;
+  }
+}
+
+const rimline = await orSayWhyNot(createRimline);
+const renderer = await orSayWhyNot(() => new THREE.WebGLRenderer({ canvas: element("canvas"), antialias: true }));
 const scene = new THREE.Scene();
 scene.background = new THREE.Color(getComputedStyle(document.documentElement).getPropertyValue("--paper"));
 const perspective = new THREE.PerspectiveCamera(32);
@@ -46,8 +61,15 @@ function show(name, loaded) {
   try {
     for (const part of loaded) made.push({ ...part, mesh: meshOf(rimline, part.geometry) });
     if (!made.some(({ mesh }) => mesh.faceCount > 0)) throw new Error("no triangles here");
+    for (const part of made) {
+      part.lines = makeLines(part);
+      part.lines.update(camera); // Its first call makes the index.
+    }
   } catch (error) {
-    for (const { mesh } of made) mesh.dispose();
+    for (const { lines, mesh } of made) {
+      lines?.dispose();
+      mesh.dispose();
+    }
     for (const { geometry } of loaded) geometry.dispose();
     throw error;
   }
@@ -59,12 +81,12 @@ function show(name, loaded) {
   scene.remove(model);
   model = new THREE.Group();
   scene.add(model);
-  parts = made.map(({ geometry, matrix, mesh }) => {
+  parts = made.map(({ geometry, matrix, mesh, lines }) => {
     const surface = new THREE.Mesh(geometry, geometry.getAttribute("normal") ? smooth : flat);
     surface.matrixAutoUpdate = false;
     surface.matrix.copy(matrix);
-    model.add(surface);
-    return { geometry, mesh, surface };
+    model.add(surface.add(lines));
+    return { geometry, mesh, surface, lines };
   });
   shown = name;
   element("name").textContent = name;
@@ -72,25 +94,32 @@ function show(name, loaded) {
   element("edges").textContent = count(sum((part) => part.mesh.edgeCount));
   element("error").hidden = true;
   frameModel();
-  addLines();
+  updateLines();
   element("built").textContent = `${(performance.now() - begin).toFixed(0)} ms`;
 }
 
 // Borders are chosen when lines are made.
-function addLines() {
+function makeLines({ geometry, mesh }) {
+  return new WideSilhouetteLines(rimline, geometry, { mesh, borders: element("borders").checked, material: ink });
+}
+
+function remakeLines() {
   for (const part of parts) {
-    if (part.lines) {
-      part.surface.remove(part.lines);
-      part.lines.dispose();
-    }
-    part.lines = new WideSilhouetteLines(rimline, part.geometry, { mesh: part.mesh, borders: element("borders").checked, material: ink });
-    part.surface.add(part.lines);
+    const lines = makeLines(part);
+    part.surface.remove(part.lines);
+    part.lines.dispose();
+    part.surface.add((part.lines = lines));
   }
   updateLines();
 }
 
+// An error of one model must not end the loop that draws.
 function updateLines() {
-  for (const { lines } of parts) lines.update(camera);
+  try {
+    for (const { lines } of parts) lines.update(camera);
+  } catch (error) {
+    showError(`${shown}: ${error.message}`);
+  }
 }
 
 function frameModel() {
@@ -101,7 +130,7 @@ function frameModel() {
   controls.target.copy(sphere.center);
   const direction = new THREE.Vector3(0.45, 0.28, 1).normalize();
   for (const each of [perspective, orthographic]) {
-    each.position.copy(sphere.center).addScaledVector(direction, 3.8 * radius);
+    each.position.copy(sphere.center).addScaledVector(direction, 3.8 * radius * narrowness());
     each.near = radius / 50;
     each.far = 40 * radius;
   }
@@ -112,11 +141,15 @@ function frameModel() {
   controls.update();
 }
 
+// By how much farther away the whole model is seen in an upright window.
+const narrowness = () => Math.max(1, innerHeight / innerWidth);
+
 function resize() {
   const { innerWidth: width, innerHeight: height } = window;
+  renderer.setPixelRatio(devicePixelRatio);
   renderer.setSize(width, height, false);
   perspective.aspect = width / height;
-  const half = 1.1 * radius;
+  const half = 1.1 * radius * narrowness();
   Object.assign(orthographic, { left: (-half * width) / height, right: (half * width) / height, top: half, bottom: -half });
   // The middle of what the panel leaves free.
   const shift = width > 800 ? -element("panel").offsetWidth / 2 : 0;
@@ -148,19 +181,28 @@ function showCounts() {
 const sum = (numberOf) => parts.reduce((total, part) => total + numberOf(part), 0);
 const count = (number) => number.toLocaleString("en-US");
 
+let requests = 0; // What was chosen last is shown, not what was read last.
+
 async function openFile(file) {
+  const request = ++requests;
   element("name").textContent = `Reading ${file.name}…`;
   try {
-    show(file.name, await readModel(file));
-    element("shape").selectedIndex = -1;
+    const loaded = await readModel(file);
+    if (request === requests) {
+      show(file.name, loaded);
+      element("shape").selectedIndex = -1;
+    } else {
+      for (const { geometry } of loaded) geometry.dispose();
+    }
   } catch (error) {
+    if (request !== requests) return;
     element("name").textContent = shown;
-    element("error").textContent = error.message.startsWith(file.name) ? error.message : `${file.name}: ${error.message}`;
-    element("error").hidden = false;
+    showError(error.message.startsWith(file.name) ? error.message : `${file.name}: ${error.message}`);
   }
 }
 
 function openShape() {
+  ++requests;
   const name = element("shape").value;
   show(name, [{ geometry: SHAPES[name](), matrix: new THREE.Matrix4() }]);
 }
@@ -171,7 +213,7 @@ element("file").addEventListener("change", ({ target }) => {
   if (target.files[0]) openFile(target.files[0]);
   target.value = ""; // The same file can be chosen again.
 });
-element("borders").addEventListener("change", addLines);
+element("borders").addEventListener("change", remakeLines);
 element("z_up").addEventListener("change", frameModel);
 element("turn").addEventListener("change", ({ target }) => (controls.autoRotate = target.checked));
 element("orthographic").addEventListener("change", ({ target }) => {
@@ -180,6 +222,16 @@ element("orthographic").addEventListener("change", ({ target }) => {
   camera = controls.object = other;
 });
 addEventListener("resize", resize);
+// Another screen, or a zoom that leaves the size as it is.
+function watchPixelRatio() {
+  matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener("change", () => {
+    resize();
+    watchPixelRatio();
+  }, { once: true });
+}
+watchPixelRatio();
+if (innerWidth <= 800) element("fold").open = false;
+element("fold").addEventListener("toggle", resize);
 for (const type of ["dragenter", "dragover"])
   addEventListener(type, (event) => {
     event.preventDefault();
