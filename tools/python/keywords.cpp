@@ -1,7 +1,10 @@
 #include "tools/python/keywords.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cmath>
+#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
@@ -90,6 +93,33 @@ std::string value_text(const py::handle& value, const std::string& keyword) {
     return text;
 }
 
+// Three or four numbers from 0 to 1, as of matplotlib, as #rrggbb or #rrggbbaa.
+std::string color_text(const py::handle& value, const std::string& keyword) {
+    std::string text = "#";
+    for (const py::handle& item : py::reinterpret_borrow<py::object>(value)) {
+        const double part = is_number(item) ? number_of(item, keyword.c_str()) : -1.0;
+        if (!(part >= 0.0 && part <= 1.0))
+            throw py::value_error(keyword + ": expected numbers from 0 to 1, not " +
+                                  py::repr(value).cast<std::string>());
+        std::array<char, 3> digits{};
+        std::snprintf(digits.data(), digits.size(), "%02x",
+                      static_cast<unsigned>(std::lround(255.0 * part)));
+        text += digits.data();
+    }
+    return text;
+}
+
+// Of a list without lists in it.
+std::string list_text(const CLI::Option& option, const py::handle& value,
+                      const std::string& keyword) {
+    const std::string type = option.get_type_name();
+    const auto size = py::len(py::reinterpret_borrow<py::object>(value));
+    if (type.starts_with("COLOR") && (size == 3 || size == 4)) return color_text(value, keyword);
+    std::string text = value_text(value, keyword);
+    if (type.starts_with("WxH") && size == 2) std::ranges::replace(text, ',', 'x');
+    return text;
+}
+
 void add_words(Words& words, const CLI::Option& option, const std::string& keyword,
                const py::handle& value) {
     if (option.get_expected_max() == 0) {
@@ -99,7 +129,7 @@ void add_words(Words& words, const CLI::Option& option, const std::string& keywo
     } else if (is_list(value)) {
         const auto items = py::reinterpret_borrow<py::object>(value);
         if (!std::any_of(items.begin(), items.end(), is_list))
-            return words.add(keyword, value_text(value, keyword), value);
+            return words.add(keyword, list_text(option, value, keyword), value);
         for (const py::handle& item : items) words.add(keyword, value_text(item, keyword), item);
     } else if (PyUnicode_Check(value.ptr()) != 0 || is_number(value)) {
         words.add(keyword, value_text(value, keyword), value);

@@ -9,6 +9,8 @@
 //     three numbers            x,y,z
 //     a list of these          the option as often
 //     a list of str            a,b,c
+//     two numbers              WxH, where it is a size
+//     three or four numbers    a color, from 0 to 1, where it is one
 
 #include <pybind11/pybind11.h>
 

@@ -47,6 +47,12 @@ py::array render(const std::shared_ptr<BoundRenderer>& renderer, const SharedMes
         picture.rgba.data());
 }
 
+// Raises what render() would raise for them, whatever the mesh.
+void check_scene_options(const py::dict& keywords) {
+    tools::RenderOptions options;
+    parse_keywords(options.app, keywords);
+}
+
 using Pixels = py::array_t<std::uint8_t, py::array::c_style>;
 
 Pixels pixels_of(const py::object& picture) {
@@ -122,6 +128,7 @@ void bind_renderer(py::module_& module) {
             "validation_message_count",
             [](const BoundRenderer& r) { return r.device().instance.validation_message_count(); },
             "None without validation layers.");
+    module.def("_check_scene_options", &check_scene_options, py::arg("options"));
     module.def("encode_png", &png_of, py::arg("picture"),
                "The bytes of a PNG file of an H x W x 4 array of uint8.");
     module.def("save_png", &save_png, py::arg("picture"), py::arg("path"),

@@ -48,6 +48,25 @@ def test_drawings_are_those_of_the_command(knot, tmp_path, keywords, options, en
         xml.etree.ElementTree.fromstring(text)
 
 
+def test_sizes_and_colors_may_be_numbers(knot):
+    drawing = rimline.draw(knot, page=(148, 210), line_color=(1, 0.5, 0))
+    assert drawing.to_svg() == rimline.draw(knot, page="148x210", line_color="#ff8000").to_svg()
+    for wrong in ((255, 128, 0), (0.5, -0.1, 0), ("red", 0, 0), (0, 0, float("nan"))):
+        with pytest.raises(ValueError, match="line_color: expected numbers from 0 to 1, not"):
+            rimline.draw(knot, line_color=wrong)
+    with pytest.raises(ValueError, match="page: "):
+        rimline.draw(knot, page=(148, 210, 3))
+
+
+def test_scenes_check_their_options(knot):
+    for wrong, error, message in (({"stlye": "ink"}, TypeError, "'stlye'.*did you mean 'style'"),
+                                  ({"style": "oil"}, ValueError, "style: "), ({"fov": 1000}, ValueError, "fov: ")):
+        with pytest.raises(error, match=message):
+            rimline.Scene(knot, **wrong)
+        with pytest.raises(error, match=message):
+            rimline.Scene(knot).replace(**wrong)
+
+
 def test_arrays_of_a_drawing_belong_together(knot):
     drawing = rimline.draw(knot, eye=(3, 2, 4), hidden="layer", smooth=0, simplify=0)
     points, runs, chains = drawing.points, drawing.runs, drawing.chains
@@ -211,6 +230,7 @@ def test_a_renderer_draws_one_mesh_after_another(knot):
         # Freed meshes leave their addresses to others.
         renderer.render(rimline.load("shape:torus:2000"), size=(64, 48))
     assert (renderer.render(scene) == first).all()
+    assert (renderer.render(scene.replace(color=(1, 0, 0))) == renderer.render(scene.replace(color="red"))).all()
     assert (renderer.render(scene.replace(style="toon")) != first).any()
     assert (scene.replace(style="toon").replace(style="ink").options["size"]) == "64x48"
     for wrong, error in ((32, TypeError), ((32,), ValueError), ((32, "a"), TypeError), ((32.5, 5), TypeError)):

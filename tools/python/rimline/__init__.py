@@ -141,7 +141,7 @@ class Scene:
         Lights   light (a point, or several), sun (a direction, several, or auto), lighting
         Image    size (width and height), background (a color, or none)
 
-    What is not given is chosen for the mesh.
+    A color is a name, '#rrggbb', or three numbers from 0 to 1. What is not given is chosen for the mesh.
     """
 
     def __init__(self, mesh: Mesh, **options: Any) -> None:
@@ -154,6 +154,7 @@ class Scene:
             except (TypeError, ValueError) as error:
                 raise type(error)(f"size: expected width and height, not {size!r}") from None
             options["size"] = f"{width}x{height}"
+        _rimline._check_scene_options(options)
         self.mesh = mesh
         self.options = options
 
