@@ -52,6 +52,7 @@ ViewLoop::ViewLoop(Window& window, const VulkanInstance& instance, ViewSession& 
       recent_(recent_files_path()),
       coarseness_(renderer_.device_facts().type == VK_PHYSICAL_DEVICE_TYPE_CPU) {
     panel_.visible = options_.panel;
+    history_.begin(session_.edit());
     hough_.open = options_.inspector;
     if (options_.panel && options_.fits) fit();
     if (options_.panel) {
@@ -137,6 +138,7 @@ bool ViewLoop::show_loaded() {
             break;
     }
     frames_of_document_ = 0;
+    if (result->kind != ModelLoader::Kind::arrangement) history_.begin(session_.edit());
     asked_file_colors_.reset();
     if (view.size) panel_.set_picture_size(*view.size);
     // A scene file says where its camera is.
@@ -160,6 +162,15 @@ bool ViewLoop::show_loaded() {
     return true;
 }
 
+void ViewLoop::undo_or_redo(bool undoes) {
+    history_.note(session_.edit());
+    const std::optional<ViewEdit> edit = undoes ? history_.undo() : history_.redo();
+    if (edit)
+        session_.restore(*edit, free_area().aspect());
+    else
+        panel_.show_message(undoes ? "nothing to undo" : "nothing to do again", false);
+}
+
 bool ViewLoop::has_model(const char* why_not) {
     if (session_.is_cloud()) panel_.show_message(why_not, true);
     return !session_.is_cloud();
@@ -168,7 +179,12 @@ bool ViewLoop::has_model(const char* why_not) {
 // The toolkit loses a key that is pressed and released within one frame; the window's list does not.
 void ViewLoop::apply_keys() {
     const std::vector<int> keys = window_.take_pressed_keys();
+    const std::vector<Window::Shortcut> shortcuts = window_.take_pressed_shortcuts();
     if (ImGui::GetIO().WantTextInput) return;
+    for (const Window::Shortcut& shortcut : shortcuts) {
+        if (shortcut.key == GLFW_KEY_Z) undo_or_redo(!shortcut.has_shift);
+        if (shortcut.key == GLFW_KEY_Y) undo_or_redo(false);
+    }
     for (const int key : keys) {
         switch (key) {
             case GLFW_KEY_TAB: panel_.visible = !panel_.visible; break;
@@ -523,6 +539,8 @@ bool ViewLoop::step(bool always) {
     // After the frame, because requests may take long.
     execute(requests_);
     follow_file_colors();
+    // Once for a drag.
+    if (options_.panel && !is_moving_ && !ImGui::IsAnyItemActive()) history_.note(session_.edit());
     return drawn;
 }
 

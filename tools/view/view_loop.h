@@ -14,6 +14,7 @@
 
 #include "engine/vulkan/vulkan_instance.h"
 #include "tools/command.h"
+#include "tools/view/edit_history.h"
 #include "tools/view/hough_inspection.h"
 #include "tools/view/hough_panel.h"
 #include "tools/view/model_loader.h"
@@ -94,6 +95,7 @@ private:
     void copy_command();
     void set_up_axis(const glm::dvec3& up);
     void follow_file_colors();
+    void undo_or_redo(bool undoes);
     bool has_model(const char* why_not);  // Else says why a key does nothing.
     std::array<std::size_t, 3> gallery_state() const;
     void build_panel();
@@ -121,6 +123,7 @@ private:
     double played_from_s_ = 0.0;
     ViewPanel panel_;
     ViewInput input_;
+    EditHistory history_;
     HoughPanel hough_;
     std::optional<HoughInspection> inspection_;
     const ModelDocument* inspected_ = nullptr;

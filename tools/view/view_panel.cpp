@@ -501,7 +501,7 @@ void ViewPanel::draw(ViewSession& session, ViewInput& input, HoughPanel& hough,
         if (section("Picture", false)) draw_picture(session, requests);
         if (section("Frame", false)) draw_counters(session, status);
     }
-    ImGui::TextDisabled("Tab hides this");
+    ImGui::TextDisabled("Tab hides this; Ctrl+Z undoes");
     ImGui::End();
 }
 

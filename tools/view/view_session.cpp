@@ -277,6 +277,26 @@ bool ViewSession::has_chosen_sun() const {
     return lights.size() == 1 && lights[0].directional && lights[0].vector == chosen_sun_;
 }
 
+ViewEdit ViewSession::edit() const {
+    const bool chosen = !is_cloud() && has_chosen_sun();
+    return {.has_chosen_sun = chosen,
+            .lights = chosen ? std::vector<Light>() : lights,
+            .frozen = frozen_,
+            .appearance = appearance};
+}
+
+void ViewSession::restore(const ViewEdit& edit, double aspect) {
+    const bool has_lens = appearance.fov_y_deg == edit.appearance.fov_y_deg &&
+                          appearance.orthographic == edit.appearance.orthographic;
+    appearance = edit.appearance;
+    frozen_ = edit.frozen;
+    if (!has_lens) apply_lens();
+    if (!edit.has_chosen_sun)
+        lights = edit.lights;
+    else if (!has_chosen_sun())
+        choose_sun(aspect);
+}
+
 void ViewSession::round_to_options() {
     camera = rounded_to_float(camera);
     if (frozen_ && frozen_->is_orthographic())

@@ -54,6 +54,16 @@ struct ViewAppearance {
     bool operator==(const ViewAppearance&) const = default;
 };
 
+/// What the user sets of a session besides the camera.
+struct ViewEdit {
+    bool has_chosen_sun = false;
+    std::vector<Light> lights;  ///< Empty with a chosen sun, which follows the camera.
+    std::optional<Camera> frozen;
+    ViewAppearance appearance;
+
+    bool operator==(const ViewEdit&) const = default;
+};
+
 /// All that ViewSession::picture() depends on, but the size of the picture. Equal ones give the same picture.
 struct ViewSight {
     const void* document = nullptr;  ///< While it lives.
@@ -148,6 +158,9 @@ public:
     bool has_chosen_sun() const;
     /// For a sun that the caller has chosen.
     void note_chosen_sun() { chosen_sun_ = lights.back().vector; }
+    ViewEdit edit() const;
+    /// Takes edit() back. A sun that was chosen is chosen again, for the present camera.
+    void restore(const ViewEdit& edit, double aspect);
     /// Rounds camera and lights as options are parsed, so that command() draws the same picture.
     void round_to_options();
     /// A command line that draws the picture without the window. For models that are not of a scene file.

@@ -47,6 +47,7 @@ std::pair<int, int> fitting_size(int width, int height) {
 struct Window::Events {
     bool active = true;
     std::vector<int> pressed_keys;
+    std::vector<Shortcut> pressed_shortcuts;
     std::vector<std::string> dropped;
 
     static Events& of(GLFWwindow* window) {
@@ -97,9 +98,12 @@ void Window::listen() {
     glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { k_mark(w); });
     glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
         k_mark(w);
-        const bool is_shortcut = mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
-        if (action == GLFW_PRESS && !is_shortcut)
-            Events::of(w).pressed_keys.push_back(key_of_layout(key));
+        const int modifiers = mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
+        const int letter = key_of_layout(key);
+        if (action == GLFW_PRESS && modifiers == 0) Events::of(w).pressed_keys.push_back(letter);
+        // Repeated while it is held.
+        if (action != GLFW_RELEASE && modifiers == GLFW_MOD_CONTROL)
+            Events::of(w).pressed_shortcuts.push_back({letter, (mods & GLFW_MOD_SHIFT) != 0});
     });
     glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { k_mark(w); });
     glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { k_mark(w); });
@@ -174,6 +178,10 @@ void Window::wake() { glfwPostEmptyEvent(); }
 bool Window::take_activity() noexcept { return std::exchange(events_->active, false); }
 
 std::vector<int> Window::take_pressed_keys() { return std::exchange(events_->pressed_keys, {}); }
+
+std::vector<Window::Shortcut> Window::take_pressed_shortcuts() {
+    return std::exchange(events_->pressed_shortcuts, {});
+}
 
 std::vector<std::string> Window::take_dropped() { return std::exchange(events_->dropped, {}); }
 

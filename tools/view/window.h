@@ -52,6 +52,12 @@ public:
     bool take_activity() noexcept;
     /// The keys pressed since the last call, as GLFW_KEY_..., in their order. None is lost, however short it was.
     std::vector<int> take_pressed_keys();
+    /// Keys pressed with Ctrl, likewise.
+    struct Shortcut {
+        int key;
+        bool has_shift;
+    };
+    std::vector<Shortcut> take_pressed_shortcuts();
     /// The files dropped on the window since the last call.
     std::vector<std::string> take_dropped();
 

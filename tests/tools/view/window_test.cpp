@@ -630,6 +630,45 @@ TEST_CASE("keys that have nothing to do for a cloud say why") {
     }
 }
 
+TEST_CASE("what was changed of lights and look is undone and done again, and the camera stays") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = true});
+    ViewSession& session = shown.session;
+    shown.capture();
+    const Style first = session.appearance.style;
+    const auto then_step = [&] {
+        shown.loop->step(true);
+        shown.loop->step(true);
+    };
+    session.appearance.set_style(Style::blueprint);
+    then_step();
+    session.add_light();
+    session.lights[0].vector = {3, 1, 2};
+    then_step();
+    session.camera.eye += glm::dvec3(0.5, 0.0, 0.0);
+    then_step();
+    const glm::dvec3 eye = session.camera.eye;
+    const auto press = [&](int key, int modifiers) {
+        tap(shown.window, key, modifiers);
+        then_step();
+    };
+    press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    CHECK(session.lights.size() == 1);
+    CHECK(session.has_chosen_sun());
+    CHECK(session.appearance.style == Style::blueprint);
+    CHECK_FALSE(session.frozen());  // Z alone would freeze.
+    press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    CHECK(session.appearance.style == first);
+    CHECK(session.camera.eye == eye);
+    press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    CHECK(shown.loop->message() == "nothing to undo");
+    press(GLFW_KEY_Z, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
+    press(GLFW_KEY_Y, GLFW_MOD_CONTROL);
+    CHECK(session.appearance.style == Style::blueprint);
+    REQUIRE(session.lights.size() == 2);
+    CHECK(session.lights[0].vector == glm::dvec3(3, 1, 2));
+}
+
 TEST_CASE("clouds and models take each other's place in the window") {
     RIMLINE_OPEN_DISPLAY(display);
     Shown shown({.panel = false});
