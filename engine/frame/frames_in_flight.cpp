@@ -75,6 +75,18 @@ bool FramesInFlight::is_done(std::uint32_t slot) const noexcept {
     return frames_[slot].number == 0 || marks_.has(slot, frames_[slot].number);
 }
 
+// Whether all commands of its command buffer have ended, which may go on after the mark. Of a caller's frame that is
+// known only when its slot is used again.
+bool FramesInFlight::is_complete(std::uint32_t slot) const noexcept {
+    const Frame& frame = frames_[slot];
+    if (frame.number == 0) return true;
+    std::uint64_t reached = 0;
+    return frame.timeline_value != 0 &&
+           context_.vk->GetSemaphoreCounterValue(context_.device, timeline_, &reached) ==
+               VK_SUCCESS &&
+           reached >= frame.timeline_value;
+}
+
 // The frame of `slot`, which nothing may use any more, for a new frame.
 FramesInFlight::Frame& FramesInFlight::free_frame(std::uint32_t slot) {
     RIMLINE_CHECK(is_done(slot) && std::ranges::find(queued_, slot) == queued_.end());
@@ -109,7 +121,7 @@ void FramesInFlight::prepare_scene(const Scene& scene, const PictureTarget& targ
     passes_.prepare(scene, target);
     InstanceStates::Frames numbers{.recorded = recorded_};
     for (std::uint32_t slot = 0; slot < frames_.size(); ++slot)
-        if (!is_done(slot))
+        if (!is_complete(slot))
             numbers.first_running = std::min(numbers.first_running, frames_[slot].number);
     instances_.prepare(scene, numbers, uploaded_);
 }

@@ -74,6 +74,7 @@ private:
     }
     void wait_for(std::uint64_t timeline_value) const;
     bool is_done(std::uint32_t slot) const noexcept;
+    bool is_complete(std::uint32_t slot) const noexcept;
     Frame& free_frame(std::uint32_t slot);
     void prepare_scene(const Scene& scene, const PictureTarget& target);
     void prepare_targets(const Scene& scene, const PictureTarget& target);
