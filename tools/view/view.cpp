@@ -1,5 +1,8 @@
 // rimline view: an interactive window that shows a model or a cloud and its silhouette.
 
+#include <optional>
+#include <stop_token>
+#include <string>
 #include <utility>
 
 #include "engine/vulkan/vulkan_instance.h"
@@ -79,8 +82,9 @@ public:
             {.validate = picture.validate, .window_extensions = window.vulkan_extensions()});
         ViewSession session;
         const bool fits = view_.fits();
-        OpenedView opened = follow_progress(
-            context, [&](const BeginCall& begin) { return view_.open(begin, inspect_); });
+        std::optional<OpenedView> loaded = open(context, window);
+        if (!loaded) return ExitStatus::success;
+        OpenedView opened = std::move(*loaded);
         for (const std::string& warning : opened.document.warnings()) print_warning(warning);
         print_up(opened.up);
         session.show(std::move(opened));
@@ -104,6 +108,34 @@ public:
     }
 
 private:
+    // Says in the window's title how far it is. Nothing if the window is closed meanwhile.
+    std::optional<OpenedView> open(const Context& context, Window& window) {
+        std::stop_source closed;
+        const std::stop_callback on_stop(context.stop, [&] { closed.request_stop(); });
+        const auto watched = [&](const LongCall& call, const std::string& task) {
+            return LongCall{
+                closed.get_token(), [&, call, task](double done) {
+                    if (call.progress) call.progress(done);
+                    window.poll(0.0);
+                    if (window.should_close()) closed.request_stop();
+                    const int percent = static_cast<int>(100.0 * done);
+                    window.set_title("Rimline - " + task + ", " + std::to_string(percent) + "%");
+                }};
+        };
+        try {
+            OpenedView opened = follow_progress(context, [&](const BeginCall& begin) {
+                return view_.open(
+                    [&](const std::string& task) { return watched(begin(task), task); }, inspect_);
+            });
+            window.set_title("Rimline - " + view_.models().name());
+            return opened;
+        } catch (const Error& error) {
+            const bool was_closed = error.code() == ErrorCode::cancelled && window.should_close();
+            if (!was_closed) throw;
+            return std::nullopt;
+        }
+    }
+
     ViewArguments view_;
     bool no_panel_ = false;
     bool inspect_ = false;
