@@ -7,128 +7,30 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
-#include <optional>
 #include <span>
-#include <thread>
 #include <utility>
 
 #include "engine/tested_device.h"
-#include "engine/view_defaults.h"
-#include "engine/vulkan/device_context.h"
-#include "tests/engine/support/requested_device.h"
-#include "tests/skip.h"
 #include "tests/tools/scratch_folder.h"
-#include "tests/tools/view/virtual_display.h"
+#include "tests/tools/view/shown_window.h"
 #include "tools/view/camera_motion.h"
 #include "tools/view/coarseness.h"
 #include "tools/view/screen_view.h"
-#include "tools/view/view_arguments.h"
-#include "tools/view/view_loop.h"
 
 using namespace rimline;
 using namespace rimline::tools;
 
 namespace {
 
-constexpr int k_width = 320;
-constexpr int k_height = 240;
+constexpr int k_width = tests::k_window_width;
+constexpr int k_height = tests::k_window_height;
 
-// A window with a small model in it, and everything it needs; validation on where it is installed.
-class Shown {
-public:
-    explicit Shown(ViewLoopOptions options, bool as_points = false)
-        : window("test", k_width, k_height), instance(make_instance(window)) {
-        session.appearance.ground = true;
-        session.show(open_document({.model = "shape:knot:3000", .as_points = as_points},
-                                   [](const std::string&) { return LongCall{}; }),
-                     double(k_width) / k_height);
-        options.device = tests::requested_device();
-        loop.emplace(window, *instance, session, options);
-    }
-    ~Shown() {
-        loop.reset();
-        const std::string first = instance->first_validation_message();
-        CHECK_MESSAGE(instance->validation_message_count().value_or(0) == 0, first);
-    }
-
-    // What the window shows in the next frame.
-    Picture capture() {
-        loop->capture_next();
-        for (int attempt = 0; attempt < 100 && !loop->step(true); ++attempt)
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        return loop->captured();
-    }
-
-    // The same once nothing has moved for a while.
-    Picture capture_at_rest() {
-        Picture picture = capture();
-        for (int attempt = 0; attempt < 400 && loop->is_coarse(); ++attempt) picture = capture();
-        REQUIRE(!loop->is_coarse());
-        return picture;
-    }
-
-    // The same scene by a device and a renderer of its own, as `rimline render` draws it.
-    Picture rendered(std::uint32_t width, std::uint32_t height) const {
-        const VulkanInstance own;
-        const TestedDevice device(own, tests::requested_device());
-        if (session.is_cloud())
-            return SplatRenderer(device.context()).render(session.cloud_scene(), width, height);
-        const ViewPicture picture = session.picture(ImageSize{width, height});
-        return Renderer(device.context()).render(std::get<Scene>(picture), width, height);
-    }
-
-    void resize(int width, int height) {
-        window.set_size(width, height);
-        const auto arrived = [&] {
-            const VkExtent2D size = window.size_px();
-            return size.width == static_cast<std::uint32_t>(width) &&
-                   size.height == static_cast<std::uint32_t>(height);
-        };
-        for (int attempt = 0; attempt < 400 && !arrived(); ++attempt) window.poll(0.01);
-        REQUIRE(arrived());
-    }
-
-    Window window;
-    std::unique_ptr<VulkanInstance> instance;
-    ViewSession session;
-    std::optional<ViewLoop> loop;
-
-private:
-    static std::unique_ptr<VulkanInstance> make_instance(const Window& window) {
-        try {
-            return std::make_unique<VulkanInstance>(
-                InstanceOptions{.validate = true, .window_extensions = window.vulkan_extensions()});
-        } catch (const Error& error) {
-            MESSAGE("without validation: ", std::string(error.what()));
-            return std::make_unique<VulkanInstance>(
-                InstanceOptions{.window_extensions = window.vulkan_extensions()});
-        }
-    }
-};
-
-// The greatest difference of a channel; 256 where the sizes differ.
-int difference(const Picture& a, const Picture& b) {
-    if (a.width != b.width || a.height != b.height || a.rgba.size() != b.rgba.size()) return 256;
-    int greatest = 0;
-    for (std::size_t i = 0; i < a.rgba.size(); ++i)
-        if (i % 4 != 3) greatest = std::max(greatest, std::abs(int(a.rgba[i]) - int(b.rgba[i])));
-    return greatest;
-}
-
-// Pixels whose red differs, left of where the panel ends and right of it.
-std::array<std::size_t, 2> changed_pixels(const Picture& with_panel, const Picture& picture) {
-    REQUIRE(with_panel.width == picture.width);
-    REQUIRE(with_panel.rgba.size() == picture.rgba.size());
-    std::array<std::size_t, 2> changed{};
-    for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
-        if (std::abs(int(with_panel.rgba[i]) - int(picture.rgba[i])) > 1)
-            ++changed[i / 4 % picture.width < 320 ? 0 : 1];
-    return changed;
-}
+using Shown = tests::ShownWindow;
+using tests::changed_pixels;
+using tests::difference;
 
 // Whether there is something to compare at all.
 int contrast(const Picture& picture) {
@@ -142,18 +44,6 @@ int contrast(const Picture& picture) {
 }
 
 }  // namespace
-
-/// Defines `display`, or ends the case as skipped where there is none or no Vulkan device.
-#define RIMLINE_OPEN_DISPLAY(display)                                   \
-    std::string display##_reason;                                       \
-    const auto display = tests::VirtualDisplay::open(display##_reason); \
-    if (!display) RIMLINE_SKIP(display##_reason);                       \
-    try {                                                               \
-        const VulkanInstance probe;                                     \
-        const TestedDevice device(probe, tests::requested_device());    \
-    } catch (const Error& error) {                                      \
-        RIMLINE_SKIP(error.what());                                     \
-    }
 
 TEST_CASE(
     "a window without its panel shows the picture that render draws, before and after resizes") {
@@ -290,14 +180,6 @@ TEST_CASE("the panel lies over the picture and leaves the rest of it as it is" *
     CHECK(beside_it < 1'000);
 }
 
-// A key that is pressed and released before the next frame.
-void tap(const Window& window, int key, int modifiers = 0) {
-    const GLFWkeyfun handler = glfwSetKeyCallback(window.handle(), nullptr);
-    handler(window.handle(), key, 0, GLFW_PRESS, modifiers);
-    handler(window.handle(), key, 0, GLFW_RELEASE, modifiers);
-    glfwSetKeyCallback(window.handle(), handler);
-}
-
 Picture saved_picture(const char* file) {
     const std::string bytes = tests::read_bytes(file);
     return decode_png(std::as_bytes(std::span(bytes)));
@@ -322,8 +204,8 @@ TEST_CASE(
     Shown shown({.panel = true});
     shown.capture();
     const bool had_ground = shown.session.appearance.ground;
-    tap(shown.window, GLFW_KEY_G);
-    tap(shown.window, GLFW_KEY_Z);
+    tests::tap_key(shown.window, GLFW_KEY_G);
+    tests::tap_key(shown.window, GLFW_KEY_Z);
     shown.loop->step(true);
     CHECK(shown.session.appearance.ground == !had_ground);
     CHECK(shown.session.frozen());
@@ -332,7 +214,7 @@ TEST_CASE(
     std::filesystem::current_path(folder / "");
     for (int hidden = 0; hidden < 2; ++hidden) {
         const glm::dvec3 eye = shown.session.camera.eye;
-        tap(shown.window, GLFW_KEY_P);
+        tests::tap_key(shown.window, GLFW_KEY_P);
         shown.loop->step(true);
         CHECK(shown.loop->message() == "saved view.png");
         CHECK(shown.session.camera.eye == eye);
@@ -340,7 +222,7 @@ TEST_CASE(
         CHECK(left > 0.01);
         CHECK(std::abs(left - right) < 0.03);
         CHECK(std::filesystem::remove("view.png"));
-        tap(shown.window, GLFW_KEY_TAB);
+        tests::tap_key(shown.window, GLFW_KEY_TAB);
         shown.loop->step(true);
         shown.loop->step(true);  // The model is framed anew.
     }
@@ -356,7 +238,7 @@ TEST_CASE("a file that the window has not written is replaced when it is saved a
     const std::filesystem::path before = std::filesystem::current_path();
     std::filesystem::current_path(folder / "");
     const auto size_after = [&](int key, const char* file) {
-        tap(shown.window, key);
+        tests::tap_key(shown.window, key);
         shown.loop->step(true);
         return std::filesystem::file_size(file);
     };
@@ -374,11 +256,11 @@ TEST_CASE("a file that the window has not written is replaced when it is saved a
     std::filesystem::current_path(before);
     // These are other programs' shortcuts.
     for (const int modifier : {GLFW_MOD_CONTROL, GLFW_MOD_ALT, GLFW_MOD_SUPER}) {
-        tap(shown.window, GLFW_KEY_Z, modifier);
+        tests::tap_key(shown.window, GLFW_KEY_Z, modifier);
         shown.loop->step(true);
         CHECK_FALSE(shown.session.frozen());
     }
-    tap(shown.window, GLFW_KEY_Z, GLFW_MOD_SHIFT);
+    tests::tap_key(shown.window, GLFW_KEY_Z, GLFW_MOD_SHIFT);
     shown.loop->step(true);
     CHECK(shown.session.frozen());
 }
@@ -401,7 +283,7 @@ TEST_CASE(
     };
     CHECK(is_whole());
     CHECK(shown.loop->free_area().left > 300.0);
-    tap(shown.window, GLFW_KEY_I);
+    tests::tap_key(shown.window, GLFW_KEY_I);
     shown.capture();
     shown.capture();
     CHECK(shown.loop->free_area().right > 200.0);
@@ -515,186 +397,6 @@ TEST_CASE("the first frames of a moving picture are coarse if the picture at res
     Coarseness fast(false);
     fast.add_fine(150.0);
     CHECK(fast.quality().scale == 0);
-}
-
-TEST_CASE("a model opened in the window takes the other's place, and a broken one does not") {
-    RIMLINE_OPEN_DISPLAY(display);
-    Shown shown({.panel = true});
-    const auto load = [&](const std::string& name) {
-        shown.loop->open({name});
-        for (int turn = 0; turn < 2000 && shown.loop->is_loading(); ++turn) shown.loop->step(true);
-        shown.loop->step(true);
-        shown.loop->step(true);
-    };
-    load("shape:torus:2000");
-    CHECK(shown.session.model().name() == "shape:torus:2000");
-    CHECK(shown.loop->message().empty());
-    tests::ScratchFolder folder;
-    tests::write_bytes(folder / "broken.obj", "v 0 0 0\nf 1 2 3\n");
-    load((folder / "broken.obj").string());
-    CHECK(shown.session.model().name() == "shape:torus:2000");
-    CHECK(shown.loop->message().find("broken.obj") != std::string::npos);
-    load("shape:box");
-    CHECK(shown.session.model().name() == "shape:box");
-    CHECK(shown.loop->message().empty());
-}
-
-TEST_CASE("a model is added in the window beside the other, seen by the same camera") {
-    RIMLINE_OPEN_DISPLAY(display);
-    Shown shown({.panel = true});
-    shown.resize(900, 700);
-    shown.capture_at_rest();
-    const glm::dvec3 direction =
-        glm::normalize(shown.session.camera.eye - shown.session.camera.target);
-    REQUIRE(shown.session.has_chosen_sun());
-    const std::size_t faces = shown.session.model().mesh().face_count();
-    shown.loop->open({"shape:box", "shape:box"}, true);
-    for (int i = 0; i < 2000 && shown.session.model().models().size() < 3; ++i)
-        shown.loop->step(true);
-    REQUIRE(shown.session.model().models().size() == 3);
-    CHECK(shown.session.model().mesh().face_count() == faces + 24);
-    CHECK(glm::distance(glm::normalize(shown.session.camera.eye - shown.session.camera.target),
-                        direction) < 1e-6);
-    CHECK(shown.session.has_chosen_sun());
-    CHECK(shown.session.is_whole(shown.loop->free_area()));
-    CHECK(shown.session.command({320, 240}, "a.png").find("--at") != std::string::npos);
-    shown.loop->open({"scene.json"}, true);
-    CHECK(shown.loop->message().find("cannot be added") != std::string::npos);
-}
-
-// Steps without events until nothing is due.
-void settle(ViewLoop& loop) {
-    for (int step = 0; step < 500; ++step)
-        if (!loop.step(false) && !loop.is_coarse()) return;
-    FAIL("it does not rest");
-}
-
-TEST_CASE(
-    "best views are shown when they are found, without an event, and a path through them ends") {
-    RIMLINE_OPEN_DISPLAY(display);
-    Shown shown({.panel = true});
-    settle(*shown.loop);
-    for (int i = 0; i < 3000 && shown.loop->gallery().is_finding(); ++i)
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    settle(*shown.loop);
-    CHECK(shown.loop->gallery().views().size() == ViewGallery::k_views);
-    CHECK(shown.loop->shown_views() == ViewGallery::k_views);
-    // The user's own view ends the path.
-    REQUIRE(shown.loop->gallery().path());
-    const auto moves = [&] {
-        const glm::dvec3 eye = shown.session.camera.eye;
-        std::this_thread::sleep_for(std::chrono::milliseconds(30));
-        shown.loop->step(true);
-        return shown.session.camera.eye != eye;
-    };
-    tap(shown.window, GLFW_KEY_SPACE);
-    shown.loop->step(true);
-    shown.loop->step(true);
-    CHECK(moves());
-    tap(shown.window, GLFW_KEY_F);
-    shown.loop->step(true);
-    shown.loop->step(true);
-    CHECK_FALSE(moves());
-}
-
-TEST_CASE("colors of files that a painted scene does not show are loaded when they are asked for") {
-    RIMLINE_OPEN_DISPLAY(display);
-    Shown shown({.panel = true});
-    shown.session.show(
-        open_view({"shape:box", "shape:knot:800", "--paint", "red"}, [](const std::string&) {
-            return LongCall{};
-        }).view);
-    for (const bool wanted : {false, true}) {
-        shown.session.appearance.materials = wanted;
-        for (int i = 0; i < 2000 && shown.session.model().has_file_colors() != wanted; ++i)
-            shown.loop->step(true);
-        CHECK(shown.session.model().has_file_colors() == wanted);
-        CHECK(shown.session.model().has_paint());
-        CHECK(shown.session.appearance.materials == wanted);
-    }
-}
-
-TEST_CASE("keys that have nothing to do for a cloud say why") {
-    RIMLINE_OPEN_DISPLAY(display);
-    Shown shown({.panel = true, .fits = false}, /*as_points=*/true);
-    shown.capture();
-    for (const int key : {GLFW_KEY_G, GLFW_KEY_I, GLFW_KEY_C, GLFW_KEY_X}) {
-        const bool had_ground = shown.session.appearance.ground;
-        tap(shown.window, key);
-        shown.loop->step(true);
-        CHECK(shown.session.appearance.ground == had_ground);
-        const std::string& told = shown.loop->message();
-        const bool says_why =
-            told.find("model") != std::string::npos || told.find("cloud") != std::string::npos;
-        CHECK(says_why);
-    }
-}
-
-TEST_CASE("what was changed of lights and look is undone and done again, and the camera stays") {
-    RIMLINE_OPEN_DISPLAY(display);
-    Shown shown({.panel = true});
-    ViewSession& session = shown.session;
-    shown.capture();
-    const Style first = session.appearance.style;
-    const auto then_step = [&] {
-        shown.loop->step(true);
-        shown.loop->step(true);
-    };
-    session.appearance.set_style(Style::blueprint);
-    then_step();
-    session.add_light();
-    session.lights[0].vector = {3, 1, 2};
-    then_step();
-    session.camera.eye += glm::dvec3(0.5, 0.0, 0.0);
-    then_step();
-    const glm::dvec3 eye = session.camera.eye;
-    const auto press = [&](int key, int modifiers) {
-        tap(shown.window, key, modifiers);
-        then_step();
-    };
-    press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
-    CHECK(session.lights.size() == 1);
-    CHECK(session.has_chosen_sun());
-    CHECK(session.appearance.style == Style::blueprint);
-    CHECK_FALSE(session.frozen());  // Z alone would freeze.
-    press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
-    CHECK(session.appearance.style == first);
-    CHECK(session.camera.eye == eye);
-    press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
-    CHECK(shown.loop->message() == "nothing to undo");
-    press(GLFW_KEY_Z, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
-    press(GLFW_KEY_Y, GLFW_MOD_CONTROL);
-    CHECK(session.appearance.style == Style::blueprint);
-    REQUIRE(session.lights.size() == 2);
-    CHECK(session.lights[0].vector == glm::dvec3(3, 1, 2));
-}
-
-TEST_CASE("clouds and models take each other's place in the window") {
-    RIMLINE_OPEN_DISPLAY(display);
-    Shown shown({.panel = false});
-    const auto open = [](const std::string& name, bool as_points) {
-        return open_document({.model = name, .as_points = as_points},
-                             [](const std::string&) { return LongCall{}; });
-    };
-    for (const bool as_points : {true, true, false, true, false}) {
-        const std::string name = as_points ? "shape:torus:3000" : "shape:knot:2000";
-        shown.session.show(open(name, as_points), double(k_width) / k_height);
-        for (int frame = 0; frame < 4; ++frame) shown.loop->step(true);
-        shown.session.forget_previous();
-        CHECK(difference(shown.capture(), shown.rendered(k_width, k_height)) <= 1);
-    }
-}
-
-TEST_CASE("the panel of a cloud says what it is and what it cannot have") {
-    RIMLINE_OPEN_DISPLAY(display);
-    Shown shown({.panel = true, .inspector = true, .fits = false}, /*as_points=*/true);
-    shown.resize(900, 700);
-    shown.capture();
-    const Picture with_panel = shown.capture_at_rest();
-    const Picture picture = shown.rendered(900, 700);
-    const auto [under_panel, beside_it] = changed_pixels(with_panel, picture);
-    CHECK(under_panel > 10'000);
-    CHECK(beside_it < 700);  // The axes, but neither lights nor Hough space.
 }
 
 TEST_CASE("without a display the error says what to set and what else to use") {

@@ -1,0 +1,196 @@
+// What the user does in the window: files, models, views, lights and look.
+
+#include "tools/view/view_loop.h"
+
+#include <chrono>
+#include <glm/geometric.hpp>
+#include <thread>
+
+#include "tests/tools/scratch_folder.h"
+#include "tests/tools/view/shown_window.h"
+#include "tools/view/view_arguments.h"
+
+using namespace rimline;
+using namespace rimline::tools;
+
+TEST_CASE("a model opened in the window takes the other's place, and a broken one does not") {
+    RIMLINE_OPEN_DISPLAY(display);
+    tests::ShownWindow shown({.panel = true});
+    const auto load = [&](const std::string& name) {
+        shown.loop->open({name});
+        for (int turn = 0; turn < 2000 && shown.loop->is_loading(); ++turn) shown.loop->step(true);
+        shown.loop->step(true);
+        shown.loop->step(true);
+    };
+    load("shape:torus:2000");
+    CHECK(shown.session.model().name() == "shape:torus:2000");
+    CHECK(shown.loop->message().empty());
+    tests::ScratchFolder folder;
+    tests::write_bytes(folder / "broken.obj", "v 0 0 0\nf 1 2 3\n");
+    load((folder / "broken.obj").string());
+    CHECK(shown.session.model().name() == "shape:torus:2000");
+    CHECK(shown.loop->message().find("broken.obj") != std::string::npos);
+    load("shape:box");
+    CHECK(shown.session.model().name() == "shape:box");
+    CHECK(shown.loop->message().empty());
+}
+
+TEST_CASE("a model is added in the window beside the other, seen by the same camera") {
+    RIMLINE_OPEN_DISPLAY(display);
+    tests::ShownWindow shown({.panel = true});
+    shown.resize(900, 700);
+    shown.capture_at_rest();
+    const glm::dvec3 direction =
+        glm::normalize(shown.session.camera.eye - shown.session.camera.target);
+    REQUIRE(shown.session.has_chosen_sun());
+    const std::size_t faces = shown.session.model().mesh().face_count();
+    shown.loop->open({"shape:box", "shape:box"}, true);
+    for (int i = 0; i < 2000 && shown.session.model().models().size() < 3; ++i)
+        shown.loop->step(true);
+    REQUIRE(shown.session.model().models().size() == 3);
+    CHECK(shown.session.model().mesh().face_count() == faces + 24);
+    CHECK(glm::distance(glm::normalize(shown.session.camera.eye - shown.session.camera.target),
+                        direction) < 1e-6);
+    CHECK(shown.session.has_chosen_sun());
+    CHECK(shown.session.is_whole(shown.loop->free_area()));
+    CHECK(shown.session.command({320, 240}, "a.png").find("--at") != std::string::npos);
+    shown.loop->open({"scene.json"}, true);
+    CHECK(shown.loop->message().find("cannot be added") != std::string::npos);
+}
+
+// Steps without events until nothing is due.
+static void settle(ViewLoop& loop) {
+    for (int step = 0; step < 500; ++step)
+        if (!loop.step(false) && !loop.is_coarse()) return;
+    FAIL("it does not rest");
+}
+
+TEST_CASE(
+    "best views are shown when they are found, without an event, and a path through them ends") {
+    RIMLINE_OPEN_DISPLAY(display);
+    tests::ShownWindow shown({.panel = true});
+    settle(*shown.loop);
+    for (int i = 0; i < 3000 && shown.loop->gallery().is_finding(); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    settle(*shown.loop);
+    CHECK(shown.loop->gallery().views().size() == ViewGallery::k_views);
+    CHECK(shown.loop->shown_views() == ViewGallery::k_views);
+    // The user's own view ends the path.
+    REQUIRE(shown.loop->gallery().path());
+    const auto moves = [&] {
+        const glm::dvec3 eye = shown.session.camera.eye;
+        std::this_thread::sleep_for(std::chrono::milliseconds(30));
+        shown.loop->step(true);
+        return shown.session.camera.eye != eye;
+    };
+    tests::tap_key(shown.window, GLFW_KEY_SPACE);
+    shown.loop->step(true);
+    shown.loop->step(true);
+    CHECK(moves());
+    tests::tap_key(shown.window, GLFW_KEY_F);
+    shown.loop->step(true);
+    shown.loop->step(true);
+    CHECK_FALSE(moves());
+}
+
+TEST_CASE("colors of files that a painted scene does not show are loaded when they are asked for") {
+    RIMLINE_OPEN_DISPLAY(display);
+    tests::ShownWindow shown({.panel = true});
+    shown.session.show(
+        open_view({"shape:box", "shape:knot:800", "--paint", "red"}, [](const std::string&) {
+            return LongCall{};
+        }).view);
+    for (const bool wanted : {false, true}) {
+        shown.session.appearance.materials = wanted;
+        for (int i = 0; i < 2000 && shown.session.model().has_file_colors() != wanted; ++i)
+            shown.loop->step(true);
+        CHECK(shown.session.model().has_file_colors() == wanted);
+        CHECK(shown.session.model().has_paint());
+        CHECK(shown.session.appearance.materials == wanted);
+    }
+}
+
+TEST_CASE("keys that have nothing to do for a cloud say why") {
+    RIMLINE_OPEN_DISPLAY(display);
+    tests::ShownWindow shown({.panel = true, .fits = false}, /*as_points=*/true);
+    shown.capture();
+    for (const int key : {GLFW_KEY_G, GLFW_KEY_I, GLFW_KEY_C, GLFW_KEY_X}) {
+        const bool had_ground = shown.session.appearance.ground;
+        tests::tap_key(shown.window, key);
+        shown.loop->step(true);
+        CHECK(shown.session.appearance.ground == had_ground);
+        const std::string& told = shown.loop->message();
+        const bool says_why =
+            told.find("model") != std::string::npos || told.find("cloud") != std::string::npos;
+        CHECK(says_why);
+    }
+}
+
+TEST_CASE("what was changed of lights and look is undone and done again, and the camera stays") {
+    RIMLINE_OPEN_DISPLAY(display);
+    tests::ShownWindow shown({.panel = true});
+    ViewSession& session = shown.session;
+    shown.capture();
+    const Style first = session.appearance.style;
+    const auto then_step = [&] {
+        shown.loop->step(true);
+        shown.loop->step(true);
+    };
+    session.appearance.set_style(Style::blueprint);
+    then_step();
+    session.add_light();
+    session.lights[0].vector = {3, 1, 2};
+    then_step();
+    session.camera.eye += glm::dvec3(0.5, 0.0, 0.0);
+    then_step();
+    const glm::dvec3 eye = session.camera.eye;
+    const auto press = [&](int key, int modifiers) {
+        tests::tap_key(shown.window, key, modifiers);
+        then_step();
+    };
+    press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    CHECK(session.lights.size() == 1);
+    CHECK(session.has_chosen_sun());
+    CHECK(session.appearance.style == Style::blueprint);
+    CHECK_FALSE(session.frozen());  // Z alone would freeze.
+    press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    CHECK(session.appearance.style == first);
+    CHECK(session.camera.eye == eye);
+    press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    CHECK(shown.loop->message() == "nothing to undo");
+    press(GLFW_KEY_Z, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
+    press(GLFW_KEY_Y, GLFW_MOD_CONTROL);
+    CHECK(session.appearance.style == Style::blueprint);
+    REQUIRE(session.lights.size() == 2);
+    CHECK(session.lights[0].vector == glm::dvec3(3, 1, 2));
+}
+
+TEST_CASE("clouds and models take each other's place in the window") {
+    RIMLINE_OPEN_DISPLAY(display);
+    tests::ShownWindow shown({.panel = false});
+    const auto open = [](const std::string& name, bool as_points) {
+        return open_document({.model = name, .as_points = as_points},
+                             [](const std::string&) { return LongCall{}; });
+    };
+    for (const bool as_points : {true, true, false, true, false}) {
+        const std::string name = as_points ? "shape:torus:3000" : "shape:knot:2000";
+        shown.session.show(open(name, as_points),
+                           double(tests::k_window_width) / tests::k_window_height);
+        for (int frame = 0; frame < 4; ++frame) shown.loop->step(true);
+        shown.session.forget_previous();
+        CHECK(tests::difference(shown.capture(), shown.rendered(tests::k_window_width,
+                                                                tests::k_window_height)) <= 1);
+    }
+}
+
+TEST_CASE("the panel of a cloud says what it is and what it cannot have") {
+    RIMLINE_OPEN_DISPLAY(display);
+    tests::ShownWindow shown({.panel = true, .inspector = true, .fits = false}, /*as_points=*/true);
+    shown.resize(900, 700);
+    shown.capture();
+    const Picture with_panel = shown.capture_at_rest();
+    const Picture picture = shown.rendered(900, 700);
+    const auto [under_panel, beside_it] = tests::changed_pixels(with_panel, picture);
+    CHECK(under_panel > 10'000);
+    CHECK(beside_it < 700);  // The axes, but neither lights nor Hough space.
+}
