@@ -46,8 +46,9 @@ struct Camera {
 
 /// The projection that a matrix describes, for Vulkan's clip space: y down, depth from 0 to 1 or from 1 to 0,
 /// the viewer at the origin and looking along -z, in right-handed coordinates. The far plane may be at infinity. A
-/// renderer with y up, which has a viewport of negative height, negates the matrix's second row first. Throws Error{bad_input} for
-/// a matrix that mirrors, turns or skews the picture, or that has no near plane before the viewer.
+/// renderer with y up, which has a viewport of negative height, negates the matrix's second row first. Throws
+/// Error{bad_input} for a matrix that mirrors, turns or skews the picture, or that has no near plane before the
+/// viewer.
 Projection projection_of(const glm::dmat4& matrix);
 
 /// Whether a matrix is a rotation, as near as floats give it: orthonormal within 1e-4, without reflection.

@@ -47,9 +47,9 @@ public:
     /// Draws `scene` as a picture of the given size, and waits for it. Trackers and streams are kept from
     /// one call to the next while each scene has an instance of the same octree, at whatever index, and within it for
     /// lights by index; instances of one octree are told apart by their order. Meshes are kept likewise. A mesh that
-    /// deforms is kept by its address; its lines need a line path that draws slots (RendererOptions::line_path). Where the device cannot hold
-    /// options.scale pixels along each side of a pixel, fewer are taken; throws Error{too_large} naming the
-    /// limit where not even one fits. After an error the next call works as the first.
+    /// deforms is kept by its address; its lines need a line path that draws slots (RendererOptions::line_path). Where
+    /// the device cannot hold options.scale pixels along each side of a pixel, fewer are taken; throws
+    /// Error{too_large} naming the limit where not even one fits. After an error the next call works as the first.
     Picture render(const Scene& scene, std::uint32_t width, std::uint32_t height) {
         submit(scene, width, height);
         return finish();
@@ -84,7 +84,8 @@ public:
 
     /// Records everything of a frame into `commands`: change sets, passes, the picture into `target`. Never
     /// submits, waits for the GPU or makes a pipeline: everything must be prepared.
-    /// The commands are outside a render pass, for the context's queue family. The caller submits them in the order of recording, and
+    /// The commands are outside a render pass, for the context's queue family. The caller submits them in the order of
+    /// recording, and
     ///   - records a frame only when the GPU is done with the frame recorded
     ///     RendererOptions::frames_in_flight before;
     ///   - destroys the renderer only when the GPU is done.
@@ -112,7 +113,8 @@ public:
     const FrameReport& report() const noexcept;
 
     /// The silhouette of an instance from a light, or from the camera where no light is given. Nothing where
-    /// the frame recorded last has none: it needed none, or the scene had no such instance or light. O(log silhouettes).
+    /// the frame recorded last has none: it needed none, or the scene had no such instance or light. O(log
+    /// silhouettes).
     std::optional<SilhouetteBuffers> silhouette(std::size_t instance,
                                                 std::optional<std::size_t> light) const;
 

@@ -40,9 +40,9 @@ struct Material {
     bool lines_in_mesh_colors = false;
 };
 
-/// A mesh placed in the world: world = rotation * (scale * object) + translation. The octree and its mesh must live until a
-/// renderer that has drawn them prepares or draws a scene without them, or is destroyed; afterwards it does not read
-/// them, and others may have their addresses.
+/// A mesh placed in the world: world = rotation * (scale * object) + translation. The octree and its mesh must live
+/// until a renderer that has drawn them prepares or draws a scene without them, or is destroyed; afterwards it does
+/// not read them, and others may have their addresses.
 struct SceneInstance {
     const HoughOctree* octree = nullptr;  ///< Null for a mesh that deforms.
     std::string name = "a model";         ///< For messages; the name of its file, for example.

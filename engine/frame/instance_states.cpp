@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 #include <set>
-#include <type_traits>
 #include <utility>
 
 #include "engine/frame/silhouette_points.h"

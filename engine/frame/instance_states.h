@@ -66,7 +66,8 @@ public:
                    const Options& options);
 
     /// Adds the state of new instances and lights, begins to upload new meshes, and retires the state of
-    /// what the scene no longer has: meshes and octrees that it has no more are not read again. Throws Error{too_large} where memory or a budget does not suffice.
+    /// what the scene no longer has: meshes and octrees that it has no more are not read again. Throws
+    /// Error{too_large} where memory or a budget does not suffice.
     /// Adds what it uploads to `uploaded`.
     void prepare(const Scene& scene, const Frames& frames, Uploaded& uploaded);
     /// Makes missing silhouettes, and announces all points to the service before the first is waited for.

@@ -22,8 +22,8 @@ struct QueueChoice;
 std::vector<DeviceFacts> describe_devices(const VulkanInstance& instance,
                                           VkSurfaceKHR surface = VK_NULL_HANDLE);
 
-/// A physical device of a caller's instance, for judge_device(). `loader` as in HostDevice. Throws Error{no_device} naming
-/// a function that the loader or the driver lacks.
+/// A physical device of a caller's instance, for judge_device(). `loader` as in HostDevice. Throws Error{no_device}
+/// naming a function that the loader or the driver lacks.
 DeviceFacts describe_device(VkInstance instance, VkPhysicalDevice device,
                             PFN_vkGetInstanceProcAddr loader = nullptr);
 

@@ -39,7 +39,8 @@ public:
 
 /// What passes need of a device, Rimline's or a caller's. The caller keeps all handles alive, and has enabled
 /// what judge_device() requires: Vulkan 1.3 with depthClamp, bufferDeviceAddress, scalarBlockLayout,
-/// timelineSemaphore, dynamicRendering, synchronization2 and maintenance4. Copies are equal; one of them must outlive all objects of the device.
+/// timelineSemaphore, dynamicRendering, synchronization2 and maintenance4. Copies are equal; one of them must outlive
+/// all objects of the device.
 struct DeviceContext {
     /// Vulkan's functions for this device (functions.h).
     std::shared_ptr<const DeviceFunctions> vk;

@@ -32,8 +32,8 @@ class Uploads {
 public:
     /// The context's device must outlive it.
     explicit Uploads(const DeviceContext& context);
-    /// Waits until all copies are done. Frames that wait for them must have ended. On Mesa's CPU device, if anything was
-    /// sent, it submits to the context's queues and waits for all that they have to do.
+    /// Waits until all copies are done. Frames that wait for them must have ended. On Mesa's CPU device, if anything
+    /// was sent, it submits to the context's queues and waits for all that they have to do.
     ~Uploads();
     Uploads(const Uploads&) = delete;
     Uploads& operator=(const Uploads&) = delete;

@@ -33,8 +33,9 @@ struct ShownHandle {
 ShownHandle shown_handle(const Light& light, const SceneBounds& model, const ScreenView& view,
                          const glm::dvec2& low, const glm::dvec2& high);
 
-/// Moves a light so that its handle is at `pixel`. A lamp behind the eye comes to the model's distance. If the sphere of suns does not cover that pixel, the
-/// handle moves to the sphere's outline. A sun behind the model stays behind it.
+/// Moves a light so that its handle is at `pixel`. A lamp behind the eye comes to the model's distance. If the sphere
+/// of suns does not cover that pixel, the handle moves to the sphere's outline. A sun behind the model stays behind
+/// it.
 void drag_light(Light& light, const SceneBounds& model, const ScreenView& view,
                 const glm::dvec2& pixel);
 

@@ -2,8 +2,9 @@
 
 // The main loop of the window: events, input, panel, loader and renderer, until the window is closed.
 //
-// A frame is drawn only when its content has changed, and the picture in it only when more than the panel has. A CPU device draws at a lower resolution while
-// something moves, and at full resolution when nothing has moved for a moment.
+// A frame is drawn only when its content has changed, and the picture in it only when more than the panel has. A CPU
+// device draws at a lower resolution while something moves, and at full resolution when nothing has moved for a
+// moment.
 
 #include <array>
 #include <memory>
@@ -70,7 +71,8 @@ public:
     const Picture& captured() const noexcept { return captured_; }
     /// How many frames had a new picture, not the one before under another panel.
     std::size_t picture_count() const noexcept { return counters_.frames; }
-    /// Whether the picture that is shown was drawn faster: on a CPU device at the lower resolution, and without exact lines.
+    /// Whether the picture that is shown was drawn faster: on a CPU device at the lower resolution, and without exact
+    /// lines.
     bool is_coarse() const noexcept { return is_coarse_; }
 
     /// The window's area that the panel and the Hough space beside it leave free.

@@ -18,9 +18,9 @@ namespace rimline::tools {
 
 class Window {
 public:
-    /// Opens a window with a content of `width` x `height` screen units; with `fits_screen`, smaller, of the same shape,
-    /// where the screen has no room for it. At most one at a time. Throws Error{no_device} if there is no display, or
-    /// if Vulkan cannot present on it.
+    /// Opens a window with a content of `width` x `height` screen units; with `fits_screen`, smaller, of the same
+    /// shape, where the screen has no room for it. At most one at a time. Throws Error{no_device} if there is no
+    /// display, or if Vulkan cannot present on it.
     Window(const std::string& title, int width, int height, bool fits_screen = false);
     ~Window();
     Window(const Window&) = delete;
