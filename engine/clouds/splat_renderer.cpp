@@ -10,6 +10,7 @@
 #include "engine/passes/composite_pass.h"
 #include "engine/picture_readback.h"
 #include "engine/vulkan/commands.h"
+#include "engine/vulkan/conditional_commands.h"
 #include "engine/vulkan/uploads.h"
 
 namespace rimline {
@@ -136,6 +137,7 @@ UploadPoint SplatRenderer::prepare(const SplatScene& scene, const PictureTarget&
     State& state = *state_;
     if (target.use != PictureUse::whole || target.backdrop)
         throw Error(ErrorCode::bad_input, "a point cloud is drawn on its own background only");
+    require_condition(state.context, target.condition);
     state.prepare_targets(target.extent);
     state.composite_pass.prepare(state.context, {target.format, state.targets->scale()});
     state.prepare_cloud(scene.cloud);
@@ -164,19 +166,23 @@ void SplatRenderer::record(VkCommandBuffer into, VkCommandBuffer picture_into,
 
     state.targets->record_before_surfaces(commands);
     const DrawnArea area = DrawnArea::whole(target.extent);
-    state.targets->begin_surfaces(commands, scene.background, area);
-    gpu::SplatConstants constants = constants_of(scene, *state.targets);
-    if (state.uploaded) {
-        constants.splats = state.uploaded->splats.address();
-        constants.strokes = state.uploaded->strokes.address();
-        state.splat_pass.record(commands, constants, state.uploaded->splat_count,
-                                state.uploaded->stroke_count);
+    {
+        const ConditionalCommands conditional(commands, target.condition);
+        state.targets->begin_surfaces(commands, scene.background, area);
+        gpu::SplatConstants constants = constants_of(scene, *state.targets);
+        if (state.uploaded) {
+            constants.splats = state.uploaded->splats.address();
+            constants.strokes = state.uploaded->strokes.address();
+            state.splat_pass.record(commands, constants, state.uploaded->splat_count,
+                                    state.uploaded->stroke_count);
+        }
+        constants.strokes = strokes.address();
+        state.splat_pass.record(commands, constants, 0,
+                                static_cast<std::uint32_t>(scene.strokes.size()));
+        commands->CmdEndRendering(commands);
     }
-    constants.strokes = strokes.address();
-    state.splat_pass.record(commands, constants, 0,
-                            static_cast<std::uint32_t>(scene.strokes.size()));
-    commands->CmdEndRendering(commands);
     state.targets->record_before_picture(picture, target);
+    const ConditionalCommands conditional(picture, target.condition);
     RenderTargets::begin_picture(picture, target, area);
     state.composite_pass.record(picture, kind, glm::vec3(0.0f), target.corner);
     picture->CmdEndRendering(picture);

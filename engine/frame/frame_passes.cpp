@@ -8,6 +8,7 @@
 #include "engine/frame/drawn_rect.h"
 #include "engine/frame/scene_data.h"
 #include "engine/frame/silhouette_points.h"
+#include "engine/vulkan/conditional_commands.h"
 #include "engine/vulkan/debug_names.h"
 
 namespace rimline {
@@ -128,6 +129,7 @@ void FramePasses::make_targets(const Scene& scene, const PictureTarget& target) 
 }
 
 void FramePasses::prepare(const Scene& scene, const PictureTarget& target) {
+    require_condition(context_, target.condition);
     if (target.use == PictureUse::over && target.initial_layout == VK_IMAGE_LAYOUT_UNDEFINED)
         throw Error(ErrorCode::bad_input,
                     "a frame is drawn over a picture whose layout is VK_IMAGE_LAYOUT_UNDEFINED");
@@ -196,6 +198,7 @@ void FramePasses::record(Commands commands, Commands picture, const FrameView& v
 
 void FramePasses::record_shapes(Commands commands, const Frame& frame) const {
     const PassLabel label(commands, "shapes");
+    const ConditionalCommands conditional(commands, frame.target.condition);
     targets_->record_before_shapes(commands);
     targets_->begin_shapes(commands, frame.area);
     shape_pass_->record(commands, frame.list);
@@ -211,6 +214,7 @@ glm::vec3 FramePasses::under_surfaces(const Frame& frame) {
 
 void FramePasses::record_surfaces(Commands commands, const Frame& frame) const {
     const PassLabel label(commands, "surfaces");
+    const ConditionalCommands conditional(commands, frame.target.condition);
     const DrawList& list = frame.list;
     targets_->begin_surfaces(commands, under_surfaces(frame), frame.area);
     if (frame.target.backdrop)
@@ -231,6 +235,7 @@ void FramePasses::record_surfaces(Commands commands, const Frame& frame) const {
 
 void FramePasses::record_surfaces_beside_shadow(Commands commands, const Frame& frame) const {
     const PassLabel label(commands, "surfaces");
+    const ConditionalCommands conditional(commands, frame.target.condition);
     const DrawList& list = frame.list;
     targets_->begin_surfaces_beside_shadow(commands, under_surfaces(frame), frame.area);
     surface_pass_.record_whole(commands, list);
@@ -275,6 +280,7 @@ void FramePasses::record_light(Commands commands, const Frame& frame, std::size_
 
 void FramePasses::record_lines(Commands commands, const Frame& frame) const {
     const PassLabel label(commands, "lines");
+    const ConditionalCommands conditional(commands, frame.target.condition);
     const Palette& palette = frame.view.scene.palette;
     const DrawList& list = frame.list;
     targets_->begin_lines(commands, frame.area);
@@ -299,6 +305,7 @@ void FramePasses::record_sobel(Commands commands, const Frame& frame) const {
 void FramePasses::record_layer_lines(Commands commands, const Frame& frame) const {
     if (back_pass_) return;  // They are surfaces.
     const PassLabel label(commands, "lines");
+    const ConditionalCommands conditional(commands, frame.target.condition);
     for (std::size_t ink = 0; ink < frame.list.inks.size(); ++ink) {
         targets_->record_before_coverage(commands);
         targets_->begin_coverage(commands, frame.area);
@@ -314,6 +321,7 @@ void FramePasses::record_layer_lines(Commands commands, const Frame& frame) cons
 
 void FramePasses::record_picture(Commands commands, const Frame& frame) const {
     const PassLabel label(commands, "picture");
+    const ConditionalCommands conditional(commands, frame.target.condition);
     const Scene& scene = frame.view.scene;
     RenderTargets::begin_picture(commands, frame.target, frame.area);
     const CompositeKind kind = composite_kind(scene, frame.target);

@@ -99,6 +99,8 @@ void check_scene(const Scene& scene) noexcept {
 void check_target(const PictureTarget& target) noexcept {
     RIMLINE_CHECK(target.image != VK_NULL_HANDLE && target.view != VK_NULL_HANDLE);
     RIMLINE_CHECK(target.corner.x >= 0 && target.corner.y >= 0);
+    RIMLINE_CHECK(!target.condition || (target.condition->buffer != VK_NULL_HANDLE &&
+                                        target.condition->offset % 4 == 0));
     if (!target.backdrop) return;
     RIMLINE_CHECK(target.backdrop->image != VK_NULL_HANDLE);
     RIMLINE_CHECK(target.backdrop->view != VK_NULL_HANDLE);

@@ -44,6 +44,13 @@ void wait_for_fence(const DeviceContext& context, VkFence fence) {
              "vkWaitForFences");
 }
 
+bool is_signaled(const DeviceContext& context, VkFence fence) {
+    const VkResult result = context.vk->WaitForFences(context.device, 1, &fence, VK_TRUE, 0);
+    if (result == VK_TIMEOUT) return false;
+    vk_check(result, "vkWaitForFences");
+    return true;
+}
+
 OwnedCommandPool make_command_pool(const DeviceContext& context, const std::string& name,
                                    std::uint32_t family) {
     const VkCommandPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,

@@ -26,6 +26,8 @@ void wait_for_timeline(const DeviceContext& context, VkSemaphore timeline, std::
 OwnedFence make_fence(const DeviceContext& context, VkFenceCreateFlags flags = 0);
 /// Waits until `fence` is signaled. Throws what vk_check() does.
 void wait_for_fence(const DeviceContext& context, VkFence fence);
+/// Whether `fence` is signaled now. Throws what vk_check() does.
+bool is_signaled(const DeviceContext& context, VkFence fence);
 
 /// For a queue of `family`. Its command buffers can be reset one by one.
 OwnedCommandPool make_command_pool(const DeviceContext& context, const std::string& name,

@@ -15,15 +15,20 @@ namespace rimline {
 
 namespace {
 
-// The features that judge_device() requires, chained for a query or for vkCreateDevice.
+// The features that judge_device() requires, chained for a query or for vkCreateDevice; `conditional` is chained only
+// where the device knows the extension.
 struct FeatureChain {
+    VkPhysicalDeviceConditionalRenderingFeaturesEXT conditional{
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_CONDITIONAL_RENDERING_FEATURES_EXT};
     VkPhysicalDeviceVulkan13Features v13{.sType =
                                              VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
     VkPhysicalDeviceVulkan12Features v12{
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, .pNext = &v13};
     VkPhysicalDeviceFeatures2 v10{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2,
                                   .pNext = &v12};
-    FeatureChain() = default;
+    explicit FeatureChain(bool has_conditional) {
+        if (has_conditional) v13.pNext = &conditional;
+    }
     FeatureChain(const FeatureChain&) = delete;
     FeatureChain& operator=(const FeatureChain&) = delete;
 };
@@ -90,7 +95,7 @@ DeviceFacts describe(const InstanceFunctions& vk, VkPhysicalDevice device, VkSur
 
     properties.pNext = &v12;
     vk.GetPhysicalDeviceProperties2(device, &properties);
-    FeatureChain features;
+    FeatureChain features(has_extension(vk, device, VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME));
     vk.GetPhysicalDeviceFeatures2(device, &features.v10);
     facts.driver = std::string(v12.driverName) + " " + v12.driverInfo;
     facts.geometry_shader = features.v10.features.geometryShader == VK_TRUE;
@@ -107,6 +112,7 @@ DeviceFacts describe(const InstanceFunctions& vk, VkPhysicalDevice device, VkSur
     if (surface != VK_NULL_HANDLE)
         facts.shows_window = facts.swapchain && queues_of(vk, device, surface).has_value();
     facts.memory_budget = has_extension(vk, device, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
+    facts.conditional_rendering = features.conditional.conditionalRendering == VK_TRUE;
     facts.round_to_nearest_float32 = v12.shaderRoundingModeRTEFloat32 == VK_TRUE;
     facts.graphics_and_compute_queue = queues_of(vk, device).has_value();
     const VkSampleCountFlags counts = common_samples(properties.properties.limits);
@@ -149,7 +155,8 @@ Device::Device(const VulkanInstance& instance, const DeviceRequest& request,
                                        .pQueuePriorities = &priority};
     };
     const std::array queue_infos{one_queue(queues.family), one_queue(queues.transfer_family)};
-    FeatureChain features;
+    FeatureChain features(facts_.conditional_rendering);
+    features.conditional.conditionalRendering = facts_.conditional_rendering;
     features.v10.features.geometryShader = facts_.geometry_shader;
     features.v10.features.occlusionQueryPrecise = facts_.occlusion_query_precise;
     features.v10.features.depthClamp = VK_TRUE;
@@ -164,6 +171,8 @@ Device::Device(const VulkanInstance& instance, const DeviceRequest& request,
     std::vector<const char*> extensions;
     if (presents) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     if (facts_.memory_budget) extensions.push_back(VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
+    if (facts_.conditional_rendering)
+        extensions.push_back(VK_EXT_CONDITIONAL_RENDERING_EXTENSION_NAME);
     // A device that has it must be opened with it. Its name is in a header for beta extensions.
     constexpr const char* k_portability_subset = "VK_KHR_portability_subset";
     if (has_extension(instance.functions(), physical, k_portability_subset))
@@ -204,7 +213,8 @@ void Device::open_queues(const VulkanInstance& instance, VkDevice device, VkPhys
                                           .occlusion_query_precise = facts_.occlusion_query_precise,
                                           .depth_bounds = facts_.depth_bounds,
                                           .debug_names = instance.has_debug_utils(),
-                                          .memory_budget = facts_.memory_budget},
+                                          .memory_budget = facts_.memory_budget,
+                                          .conditional_rendering = facts_.conditional_rendering},
                              .loader = instance.loader()});
     context_.vk->GetDeviceQueue(device, queues.family, 0, &context_.queue);
     context_.transfer_family = queues.transfer_family;

@@ -33,7 +33,8 @@ struct DeviceFacts {
     /// Can show pictures in the window that the device is wanted for: it has `swapchain`, and a queue that draws,
     /// computes and presents to the window's surface. std::nullopt: it is wanted for no window.
     std::optional<bool> shows_window;
-    bool memory_budget = false;  ///< VK_EXT_memory_budget.
+    bool memory_budget = false;          ///< VK_EXT_memory_budget.
+    bool conditional_rendering = false;  ///< VK_EXT_conditional_rendering.
     /// RoundingModeRTE can be declared. Meshes that deform need it (Scene), and nothing else does.
     bool round_to_nearest_float32 = false;
     bool graphics_and_compute_queue = false;

@@ -27,6 +27,8 @@ struct DeviceFeatures {
     bool debug_names = false;   ///< The instance has enabled VK_EXT_debug_utils.
     bool memory_budget =
         false;  ///< VK_EXT_memory_budget: large allocations ask for the budget first.
+    bool conditional_rendering =
+        false;  ///< VK_EXT_conditional_rendering: PictureTarget::condition can be given.
 };
 
 /// A lock around every use of a caller's queues, for callers that use them on other threads too.

@@ -123,7 +123,9 @@
 // Of extensions: null where the device, or for names and labels the instance, has not enabled them.
 #define RIMLINE_DEVICE_EXTENSION_FUNCTIONS(X) \
     X(AcquireNextImageKHR)                    \
+    X(CmdBeginConditionalRenderingEXT)        \
     X(CmdBeginDebugUtilsLabelEXT)             \
+    X(CmdEndConditionalRenderingEXT)          \
     X(CmdEndDebugUtilsLabelEXT)               \
     X(CreateSwapchainKHR)                     \
     X(DestroySwapchainKHR)                    \

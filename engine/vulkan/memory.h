@@ -49,7 +49,8 @@ private:
 };
 
 /// A buffer with its memory. Every buffer has a device address and can be a uniform buffer, a source and a
-/// target of copies, an indirect buffer and an index buffer.
+/// target of copies, an indirect buffer and an index buffer; where the device has conditional rendering, those that the
+/// host writes can hold a FrameCondition.
 class Buffer {
 public:
     Buffer() = default;

@@ -52,6 +52,15 @@ struct BackdropDepth {
     VkImageLayout layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL;
 };
 
+/// Whether a frame that the GPU has begun goes on. The passes after `value`, of 32 bits, has become 0 draw nothing, or
+/// their later draws; a device may also go on as if it were not 0. The target's content is then undefined, and its
+/// layouts are those of every frame; silhouettes are complete. Write the value from the host at any time, to memory
+/// that is coherent. Without DeviceFeatures::conditional_rendering prepare() throws Error{bad_input}.
+struct FrameCondition {
+    VkBuffer buffer = VK_NULL_HANDLE;  ///< With VK_BUFFER_USAGE_CONDITIONAL_RENDERING_BIT_EXT.
+    VkDeviceSize offset = 0;           ///< Of the value; a multiple of 4.
+};
+
 /// One layer of a 2D color image with one sample a pixel and VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT.
 struct PictureTarget {
     VkImage image = VK_NULL_HANDLE;
@@ -71,6 +80,7 @@ struct PictureTarget {
     VkPipelineStageFlags2 later_stages = VK_PIPELINE_STAGE_2_NONE;
     PictureUse use = PictureUse::whole;
     std::optional<BackdropDepth> backdrop;
+    std::optional<FrameCondition> condition;  ///< Nothing: the whole frame is drawn.
 };
 
 }  // namespace rimline

@@ -1,5 +1,7 @@
 #include <array>
 #include <cmath>
+#include <cstring>
+#include <optional>
 #include <vector>
 
 #include "engine/renderer.h"
@@ -89,13 +91,19 @@ public:
     Caller(const Caller&) = delete;
     Caller& operator=(const Caller&) = delete;
 
+    /// Of the frames that follow; null: none.
+    void set_condition(const Buffer* condition) { condition_ = condition; }
+
     PictureTarget target(VkImageLayout final_layout) const {
+        std::optional<FrameCondition> condition;
+        if (condition_ != nullptr) condition = FrameCondition{condition_->handle(), 0};
         return {.image = image_,
                 .view = view_,
                 .format = format_,
                 .extent = extent_,
                 .layer = layer_,
-                .final_layout = final_layout};
+                .final_layout = final_layout,
+                .condition = condition};
     }
     void set_layer(std::uint32_t layer) { layer_ = layer; }
 
@@ -147,6 +155,7 @@ private:
     std::vector<Flight> flights_;
     std::size_t frame_ = 0;
     std::uint32_t layer_ = 0;
+    const Buffer* condition_ = nullptr;
 };
 
 std::uint8_t as_byte(std::span<const std::byte> pixels, std::size_t i) {
@@ -201,6 +210,55 @@ TEST_CASE("as many frames may be in flight as the caller says") {
             CHECK(std::ranges::equal(std::as_bytes(std::span(wanted)),
                                      caller.pixels(frames_in_flight - 1).first(wanted.size())));
         }
+    }
+}
+
+TEST_CASE("a frame that is given up draws nothing, and the next one has its silhouettes") {
+    RIMLINE_OPEN_GPU(gpu);
+    if (!gpu->context().features.conditional_rendering)
+        RIMLINE_SKIP("no VK_EXT_conditional_rendering");
+    const tests::Model model(make_built_in_shape("knot", 3000));
+    Renderer own(gpu->context(), k_record_plain);
+    RendererOptions checked = k_record_plain;
+    checked.check_silhouettes = true;
+    Renderer embedded(gpu->context(), checked);
+    Caller caller(gpu->context(), VK_FORMAT_R8G8B8A8_UNORM);
+    const Buffer condition(gpu->context(), 4, BufferPlace::upload, "condition");
+    caller.set_condition(&condition);
+    const auto is_drawn = [&](int frame) {
+        const Picture expected =
+            own.render(scene_at(model, frame), k_record_width, k_record_height);
+        return std::ranges::equal(std::as_bytes(std::span(expected.rgba)),
+                                  caller.pixels().first(expected.rgba.size()));
+    };
+    for (int frame = 0; frame < 9; ++frame) {
+        CAPTURE(frame);
+        const std::uint32_t goes_on = frame % 3 == 0 ? 1 : 0;
+        std::memcpy(condition.mapped(), &goes_on, sizeof goes_on);
+        caller.draw(embedded, scene_at(model, frame));
+        CHECK(is_drawn(frame) == (goes_on == 1));
+    }
+    CHECK(embedded.differences() == 0);
+    caller.set_condition(nullptr);
+    caller.draw(embedded, scene_at(model, 9));
+    CHECK(is_drawn(9));
+}
+
+TEST_CASE("a condition is refused where the device does not follow it") {
+    RIMLINE_OPEN_GPU(gpu);
+    DeviceContext plain = gpu->context();
+    plain.features.conditional_rendering = false;
+    const tests::Model model(make_built_in_shape("box", 12));
+    Renderer renderer(plain, k_record_plain);
+    Caller caller(gpu->context(), VK_FORMAT_R8G8B8A8_UNORM);
+    const Buffer condition(gpu->context(), 4, BufferPlace::upload, "condition");
+    caller.set_condition(&condition);
+    try {
+        (void)renderer.prepare(scene_at(model, 0), caller.target(VK_IMAGE_LAYOUT_GENERAL));
+        FAIL("it was taken");
+    } catch (const Error& error) {
+        CHECK(error.code() == ErrorCode::bad_input);
+        CHECK(std::string(error.what()).find("VK_EXT_conditional_rendering") != std::string::npos);
     }
 }
 

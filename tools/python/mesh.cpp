@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "silhouette/hough/silhouette_tracker.h"
 #include "silhouette/mesh/brute_force.h"
@@ -9,6 +10,7 @@
 #include "tools/options/up_option.h"
 #include "tools/python/arrays.h"
 #include "tools/python/errors.h"
+#include "tools/python/keywords.h"
 #include "tools/python/long_calls.h"
 
 namespace rimline::python {
@@ -16,6 +18,9 @@ namespace rimline::python {
 namespace py = pybind11;
 
 namespace {
+
+// Taking the interpreter back may take a turn of another thread, 5 ms.
+constexpr std::size_t k_many_rows = 100'000;
 
 struct PythonSilhouette {
     SharedMesh mesh;
@@ -56,7 +61,15 @@ SharedMesh load(const py::object& path, const py::object& subdivide, const py::o
     const bool reads_textures = flag_of(textures, "textures");
     std::vector<std::string> warnings;
     SharedMesh mesh = long_result(progress, [&](const LongCall& call) {
-        return tools::load_bound_mesh(name, steps, reads_textures, warnings, call);
+        try {
+            return tools::load_bound_mesh(name, steps, reads_textures, warnings, call);
+        } catch (const Error& error) {
+            // Of the message, not of the name of the file.
+            const std::string message = error.what();
+            const std::size_t begin = message.starts_with(name) ? name.size() : 0;
+            throw Error(error.code(),
+                        message.substr(0, begin) + in_keywords(message.substr(begin)));
+        }
     });
     for (const std::string& warning : warnings) warn(warning);
     return mesh;
@@ -79,22 +92,42 @@ PythonSilhouette silhouette(const SharedMesh& mesh, const py::object& eye,
 }
 
 py::array front_faces(BoundMesh& mesh, const py::object& eye, const py::object& direction) {
-    const std::vector<std::uint32_t> words =
-        brute_force_face_bits(mesh.mesh(), point_of(eye, direction));
+    const HomogeneousPoint point = point_of(eye, direction);
     py::array_t<bool> result(mesh.mesh().face_count());
-    bool* bits = result.mutable_data();
+    bool* const bits = result.mutable_data();
+    const py::gil_scoped_release released;
+    const std::vector<std::uint32_t> words = brute_force_face_bits(mesh.mesh(), point);
     for (std::uint32_t face = 0; face < mesh.mesh().face_count(); ++face)
         bits[face] = face_bit(words, FaceId{face});
     return result;
 }
 
+// N x `columns` numbers, which `fill` writes: where they are many, while other threads run.
+template <class Number, class Fill>
+py::array filled_rows(std::size_t rows, py::ssize_t columns, const Fill& fill) {
+    py::array_t<Number> result(std::vector<py::ssize_t>{static_cast<py::ssize_t>(rows), columns});
+    Number* const numbers = result.mutable_data();
+    std::optional<py::gil_scoped_release> released;
+    if (rows > k_many_rows) released.emplace();
+    fill(numbers);
+    return result;
+}
+
 py::array faces_in_file(const Mesh& mesh) {
-    std::vector<std::array<std::uint32_t, 3>> faces;
-    faces.reserve(mesh.face_count());
-    for (const Triangle& triangle : mesh.triangles())
-        faces.push_back({mesh.file_vertex(triangle[0]), mesh.file_vertex(triangle[1]),
-                         mesh.file_vertex(triangle[2])});
-    return copied<std::uint32_t>(std::span<const std::array<std::uint32_t, 3>>(faces), 3);
+    return filled_rows<std::uint32_t>(mesh.face_count(), 3, [&](std::uint32_t* numbers) {
+        for (const Triangle& triangle : mesh.triangles())
+            for (const VertexId vertex : triangle) *numbers++ = mesh.file_vertex(vertex);
+    });
+}
+
+py::array edge_faces(const Mesh& mesh) {
+    return filled_rows<std::int64_t>(mesh.edge_count(), 2, [&](std::int64_t* numbers) {
+        for (std::uint32_t edge = 0; edge < mesh.edge_count(); ++edge) {
+            const std::span<const FaceId> faces = mesh.faces_of(EdgeId{edge});
+            *numbers++ = index(faces[0]);
+            *numbers++ = faces.size() > 1 ? std::int64_t{index(faces[1])} : -1;
+        }
+    });
 }
 
 std::vector<EdgeId> edges_of_class(const Mesh& mesh, EdgeClass edge_class) {
@@ -149,13 +182,11 @@ SharedMesh mesh_of(const py::object& mesh) {
 }
 
 py::array edge_vertices(const Mesh& mesh, std::span<const EdgeId> edges) {
-    py::array_t<std::uint32_t> result(
-        std::vector<py::ssize_t>{static_cast<py::ssize_t>(edges.size()), 2});
-    std::uint32_t* numbers = result.mutable_data();
-    for (const EdgeId edge : edges)
-        for (const VertexId vertex : mesh.edge(edge).vertices)
-            *numbers++ = mesh.file_vertex(vertex);
-    return result;
+    return filled_rows<std::uint32_t>(edges.size(), 2, [&](std::uint32_t* numbers) {
+        for (const EdgeId edge : edges)
+            for (const VertexId vertex : mesh.edge(edge).vertices)
+                *numbers++ = mesh.file_vertex(vertex);
+    });
 }
 
 void bind_mesh(py::module_& module) {
@@ -207,17 +238,7 @@ void bind_mesh(py::module_& module) {
             "edges", [](const BoundMesh& m) { return all_edges(m.mesh()); },
             "E x 2 uint32: the vertices of each edge, as rows of vertices.")
         .def_property_readonly(
-            "edge_faces",
-            [](const BoundMesh& m) {
-                std::vector<std::array<std::int64_t, 2>> rows;
-                rows.reserve(m.mesh().edge_count());
-                for (std::uint32_t edge = 0; edge < m.mesh().edge_count(); ++edge) {
-                    const std::span<const FaceId> faces = m.mesh().faces_of(EdgeId{edge});
-                    rows.push_back(
-                        {index(faces[0]), faces.size() > 1 ? std::int64_t{index(faces[1])} : -1});
-                }
-                return copied<std::int64_t>(std::span<const std::array<std::int64_t, 2>>(rows), 2);
-            },
+            "edge_faces", [](const BoundMesh& m) { return edge_faces(m.mesh()); },
             "E x 2 int64: the first two faces of each edge; -1 for the second of a border.")
         .def_property_readonly(
             "borders",

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -26,6 +27,8 @@ constexpr double k_round_s = 24.0;
 constexpr int k_frames_after_event = 3;
 // Time without a change after which the picture is drawn at full resolution.
 constexpr double k_rest_s = 0.3;
+// Between two looks at a picture that is drawn beside the one that is shown.
+constexpr double k_asking_s = 0.002;
 // Longest time to wait for events.
 constexpr double k_idle_s = 0.5;
 
@@ -429,6 +432,12 @@ void ViewLoop::draw_hough_space() {
                 1.05f * width);
 }
 
+// Waits so long for events at most.
+bool ViewLoop::is_quiet_for(double wait_s) {
+    window_.poll(wait_s);
+    return !window_.has_activity() && !window_.should_close();
+}
+
 bool ViewLoop::is_frame_fine() const {
     const bool rests = !is_moving_ && now_s() - last_change_s_ >= k_rest_s;
     return rests || !options_.panel || options_.frames > 0;
@@ -459,6 +468,46 @@ bool ViewLoop::draw_kept() {
     return frame.has_value();
 }
 
+ViewPicture ViewLoop::picture(bool is_fine, const LongCall& call) const {
+    ViewPicture picture = session_.picture(exact_size(is_fine), call);
+    if (Scene* const scene = std::get_if<Scene>(&picture)) {
+        if (!quality(is_fine).shadows) scene->shadows = false;
+        scene->line_width_px /= static_cast<float>(quality(is_fine).divisor);
+    }
+    return picture;
+}
+
+// A fine picture takes the place of the one before when it is done, unless an event comes first: then there is none.
+std::optional<WindowRenderer::Frame> ViewLoop::draw_new(bool is_fine) {
+    const bool is_beside = is_fine && options_.frames == 0 && renderer_.has_kept_picture();
+    std::stop_source stop;
+    LongCall call;
+    if (is_beside)
+        call = {stop.get_token(), [&](double) {
+                    if (!is_quiet_for(0.0)) stop.request_stop();
+                }};
+    const FrameQuality frame_quality = quality(is_fine);
+    ViewPicture picture;
+    try {
+        picture = this->picture(is_fine, call);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::cancelled) throw;
+        return std::nullopt;
+    }
+    if (is_beside) {
+        FrameReport report;
+        const auto became = renderer_.draw_beside(picture, frame_quality, report,
+                                                  [&] { return is_quiet_for(k_asking_s); });
+        if (became == WindowRenderer::Beside::given_up) return std::nullopt;
+        if (became == WindowRenderer::Beside::done) {
+            auto frame = renderer_.draw_kept(context_.drawing(), captures_next_);
+            if (frame) frame->report = std::move(report);
+            return frame;
+        }
+    }
+    return renderer_.draw(picture, context_.drawing(), frame_quality, captures_next_);
+}
+
 bool ViewLoop::draw() {
     const bool is_fine = is_frame_fine();
     const VkExtent2D size = window_.size_px();
@@ -470,12 +519,7 @@ bool ViewLoop::draw() {
     const double start_s = now_s();
     std::optional<WindowRenderer::Frame> frame;
     try {
-        ViewPicture picture = session_.picture(exact_size(is_fine));
-        if (Scene* const scene = std::get_if<Scene>(&picture)) {
-            if (!quality(is_fine).shadows) scene->shadows = false;
-            scene->line_width_px /= static_cast<float>(quality(is_fine).divisor);
-        }
-        frame = renderer_.draw(picture, context_.drawing(), quality(is_fine), captures_next_);
+        frame = draw_new(is_fine);
     } catch (const Error& error) {
         gallery_.clear();
         loader_.cancel();
@@ -487,6 +531,11 @@ bool ViewLoop::draw() {
         frames_due_ = k_frames_after_event;
         return false;
     }
+    const double frame_ms = 1e3 * (now_s() - start_s);
+    if (is_fine) {
+        coarse_frames_ = 0;
+        coarseness_.add_fine(frame_ms);
+    }
     if (!frame) return false;
     note_frame(*frame);
     drawn_sight_ = std::move(sight);
@@ -496,13 +545,9 @@ bool ViewLoop::draw() {
         frame->report.silhouette = lines.silhouette_count();
         frame->report.creases = lines.crease_count();
     }
-    const double frame_ms = 1e3 * (now_s() - start_s);
     counters_.add(frame->report, frame_ms);
     // The frame waits for that before the one before, so the first coarse frames wait for a fine one.
-    coarse_frames_ = is_fine ? 0 : coarse_frames_ + 1;
-    if (is_fine)
-        coarseness_.add_fine(frame_ms);
-    else if (coarse_frames_ > RendererOptions{}.frames_in_flight)
+    if (!is_fine && ++coarse_frames_ > RendererOptions{}.frames_in_flight)
         coarseness_.add(frame_ms);
     if (session_.is_cloud()) counters_.cloud = session_.cloud().report();
     return true;

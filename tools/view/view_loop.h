@@ -102,9 +102,12 @@ private:
     std::array<std::size_t, 3> gallery_state() const;
     void build_panel();
     bool draw();
+    ViewPicture picture(bool is_fine, const LongCall& call) const;
+    std::optional<WindowRenderer::Frame> draw_new(bool is_fine);
     bool draw_kept();
     void note_frame(WindowRenderer::Frame& frame);
     double waiting_time() const;
+    bool is_quiet_for(double wait_s);
     bool is_frame_fine() const;
     FrameQuality quality(bool is_fine) const;
     std::optional<ImageSize> exact_size(bool is_fine) const;

@@ -368,12 +368,12 @@ HomogeneousPoint ViewSession::silhouette_point() const {
     return silhouette_point_of(frozen_ ? *frozen_ : camera);
 }
 
-ViewPicture ViewSession::picture(std::optional<ImageSize> exact_size) const {
+ViewPicture ViewSession::picture(std::optional<ImageSize> exact_size, const LongCall& call) const {
     if (is_cloud()) return cloud_scene();
     Scene shown = scene();
     if (exact_size && appearance.lines && !frozen_)
         shown.instances.front().picture_lines =
-            document_.model()->lines().draw(camera, *exact_size, appearance.line_style());
+            document_.model()->lines().draw(camera, *exact_size, appearance.line_style(), call);
     return shown;
 }
 

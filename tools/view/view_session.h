@@ -189,8 +189,9 @@ public:
     HomogeneousPoint silhouette_point() const;
 
     /// The scene of the document. Valid until the session changes. Of a model whose silhouette is not frozen, a
-    /// picture of `exact_size` has lines with exact visibility, as `render` draws them. They take longer.
-    ViewPicture picture(std::optional<ImageSize> exact_size = {}) const;
+    /// picture of `exact_size` has lines with exact visibility, as `render` draws them. They take longer; throws
+    /// Error{cancelled}.
+    ViewPicture picture(std::optional<ImageSize> exact_size = {}, const LongCall& call = {}) const;
     ViewSight sight() const;
     /// For models only. A ground is under the model by the scene's up direction, or the camera's.
     Scene scene() const;

@@ -177,6 +177,8 @@ void Window::wake() { glfwPostEmptyEvent(); }
 
 bool Window::take_activity() noexcept { return std::exchange(events_->active, false); }
 
+bool Window::has_activity() const noexcept { return events_->active; }
+
 std::vector<int> Window::take_pressed_keys() { return std::exchange(events_->pressed_keys, {}); }
 
 std::vector<Window::Shortcut> Window::take_pressed_shortcuts() {

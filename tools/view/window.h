@@ -50,6 +50,8 @@ public:
     static void wake();
     /// Whether there was an event since the last call: key, mouse, resize, drop or redraw.
     bool take_activity() noexcept;
+    /// The same, and keeps it for take_activity().
+    bool has_activity() const noexcept;
     /// The keys pressed since the last call, as GLFW_KEY_..., in their order. None is lost, however short it was.
     std::vector<int> take_pressed_keys();
     /// Keys pressed with Ctrl, likewise.

@@ -1,6 +1,7 @@
 #include "tools/view/window_renderer.h"
 
 #include <array>
+#include <cstring>
 #include <utility>
 #include <variant>
 
@@ -45,7 +46,9 @@ struct WindowRenderer::OnDevice {
           device(instance, request, user_cache_folder(), surface.get()),
           swapchain(device.context(), surface.get(), k_ring_slots),
           overlay(device.context(), swapchain.format(), k_ring_slots),
-          pool(make_command_pool(device.context(), "the window", device.context().queue_family)) {
+          pool(make_command_pool(device.context(), "the window", device.context().queue_family)),
+          goes_on(device.context(), sizeof(std::uint32_t), BufferPlace::upload,
+                  "whether a frame goes on") {
         overlay.set_texture(font.width, font.height, font.opacity);
         for (RingSlot& slot : ring) {
             slot.commands = make_commands(device.context(), pool);
@@ -67,13 +70,17 @@ struct WindowRenderer::OnDevice {
     }
 
     PictureTarget shown_target() const;
-    PictureTarget kept_target(VkExtent2D extent);
-    void record_kept(Commands commands, VkImageLayout layout);
+    PictureTarget kept_target(VkExtent2D extent) { return target_of(kept, extent); }
+    void record_kept(Commands commands);
+    void set_goes_on(std::uint32_t value) { std::memcpy(goes_on.mapped(), &value, sizeof value); }
     void record_overlay(Commands commands, std::uint32_t ring_slot, const OverlayDrawing& drawing);
     void make_renderer(const ViewPicture& scene, std::uint32_t scale);
     UploadPoint prepare(const ViewPicture& scene, const PictureTarget& target);
     FrameReport record_scene(Commands commands, Commands picture, const ViewPicture& scene,
                              const PictureTarget& target);
+    // The size of a picture of the window.
+    VkExtent2D picture_extent(const FrameQuality& quality) const;
+    void prepare_size(VkExtent2D extent, const FrameQuality& quality);
     // Into the kept picture, or where windows cannot be copied to, into the window.
     UploadPoint record_picture(const RingSlot& slot, Commands picture, const ViewPicture& scene,
                                const FrameQuality& quality, FrameReport& report);
@@ -93,9 +100,18 @@ struct WindowRenderer::OnDevice {
     std::uint64_t frames = 0;
     VkExtent2D last_extent{};  // The size of the renderer's targets.
     std::uint32_t last_scale = 0;
-    Image kept;  // The last picture, without the panel; a coarse one is smaller than the window.
-    VkExtent2D kept_extent{};
+    // A picture without the panel; a coarse one is smaller than the window.
+    struct WindowPicture {
+        Image image;
+        VkExtent2D extent{};
+        VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
+    };
+    // No frame in flight may use the one of another size.
+    PictureTarget target_of(WindowPicture& picture, VkExtent2D extent);
+    WindowPicture kept;    // The last one.
+    WindowPicture beside;  // The one that takes its place when it is done.
     bool has_kept = false;
+    Buffer goes_on;  // A FrameCondition: whether the picture beside is still wanted.
 };
 
 PictureTarget WindowRenderer::OnDevice::shown_target() const {
@@ -105,39 +121,41 @@ PictureTarget WindowRenderer::OnDevice::shown_target() const {
             .extent = swapchain.extent()};
 }
 
-// No frame in flight may use the one of another size.
-PictureTarget WindowRenderer::OnDevice::kept_target(VkExtent2D extent) {
-    if (kept_extent.width != extent.width || kept_extent.height != extent.height) {
-        kept_extent = {};
-        kept =
+PictureTarget WindowRenderer::OnDevice::target_of(WindowPicture& picture, VkExtent2D extent) {
+    if (picture.extent.width != extent.width || picture.extent.height != extent.height) {
+        picture = {};
+        picture.image =
             Image(device.context(),
                   {.format = swapchain.format(),
                    .extent = extent,
                    .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT},
                   "the window's picture");
-        kept_extent = extent;
+        picture.extent = extent;
     }
-    return {.image = kept.handle(),
-            .view = kept.attachment_view(),
+    picture.layout = k_drawn;
+    return {.image = picture.image.handle(),
+            .view = picture.image.attachment_view(),
             .format = swapchain.format(),
             .extent = extent};
 }
 
-// Into the window. Afterwards the kept picture is in TRANSFER_SRC_OPTIMAL.
-void WindowRenderer::OnDevice::record_kept(Commands commands, VkImageLayout layout) {
+// Into the window.
+void WindowRenderer::OnDevice::record_kept(Commands commands) {
     constexpr VkImageLayout k_source = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
     constexpr VkImageLayout k_enlarged = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
-    const PictureTarget from = kept_target(kept_extent);
+    const VkImageLayout layout = kept.layout;
+    const PictureTarget from = kept_target(kept.extent);
     record_barrier(
         commands, k_drawing, k_enlarging,
         {{from, layout, k_source}, {shown_target(), VK_IMAGE_LAYOUT_UNDEFINED, k_enlarged}});
+    kept.layout = k_source;
     const auto corner = [](VkExtent2D extent) {
         return VkOffset3D{static_cast<std::int32_t>(extent.width),
                           static_cast<std::int32_t>(extent.height), 1};
     };
     constexpr VkImageSubresourceLayers k_color{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
     const VkImageBlit region{.srcSubresource = k_color,
-                             .srcOffsets = {{}, corner(kept_extent)},
+                             .srcOffsets = {{}, corner(kept.extent)},
                              .dstSubresource = k_color,
                              .dstOffsets = {{}, corner(swapchain.extent())}};
     commands->CmdBlitImage(commands, from.image, k_source, swapchain.image(), k_enlarged, 1,
@@ -195,20 +213,28 @@ FrameReport WindowRenderer::OnDevice::record_scene(Commands commands, Commands p
     return {};
 }
 
-UploadPoint WindowRenderer::OnDevice::record_picture(const RingSlot& slot, Commands picture,
-                                                     const ViewPicture& scene,
-                                                     const FrameQuality& quality,
-                                                     FrameReport& report) {
-    const bool keeps = swapchain.can_be_copied_to();
-    const std::uint32_t divisor = keeps ? quality.divisor : 1;
+VkExtent2D WindowRenderer::OnDevice::picture_extent(const FrameQuality& quality) const {
+    const std::uint32_t divisor = swapchain.can_be_copied_to() ? quality.divisor : 1;
     const VkExtent2D window_extent = swapchain.extent();
-    const VkExtent2D extent{(window_extent.width + divisor - 1) / divisor,
-                            (window_extent.height + divisor - 1) / divisor};
+    return {(window_extent.width + divisor - 1) / divisor,
+            (window_extent.height + divisor - 1) / divisor};
+}
+
+void WindowRenderer::OnDevice::prepare_size(VkExtent2D extent, const FrameQuality& quality) {
     if (extent.width != last_extent.width || extent.height != last_extent.height ||
         quality.scale != last_scale)
         wait_for_all();
     last_extent = extent;
     last_scale = quality.scale;
+}
+
+UploadPoint WindowRenderer::OnDevice::record_picture(const RingSlot& slot, Commands picture,
+                                                     const ViewPicture& scene,
+                                                     const FrameQuality& quality,
+                                                     FrameReport& report) {
+    const bool keeps = swapchain.can_be_copied_to();
+    const VkExtent2D extent = picture_extent(quality);
+    prepare_size(extent, quality);
     make_renderer(scene, quality.scale);
     has_kept = false;
     const PictureTarget target = keeps ? kept_target(extent) : shown_target();
@@ -285,7 +311,7 @@ std::optional<WindowRenderer::Frame> WindowRenderer::draw_kept(const OverlayDraw
                                                                bool capture) {
     try {
         return draw_once(nullptr, overlay, {}, capture);
-    } catch (const Error&) {
+    } catch (const std::exception&) {
         gpu_.reset();  // The next frame begins anew, and tells what repeats.
         return std::nullopt;
     }
@@ -304,8 +330,7 @@ std::optional<WindowRenderer::Frame> WindowRenderer::draw_once(const ViewPicture
     const Commands picture = begin_commands(gpu_->device.context(), slot.picture);
     std::optional<UploadPoint> uploaded;
     if (scene) uploaded = gpu_->record_picture(slot, picture, *scene, quality, frame.report);
-    if (gpu_->has_kept)
-        gpu_->record_kept(picture, scene ? k_drawn : VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+    if (gpu_->has_kept) gpu_->record_kept(picture);
     gpu_->record_overlay(picture, ring_slot, overlay);
     constexpr VkImageLayout k_copied = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
     constexpr VkImageLayout k_shown = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR;
@@ -326,6 +351,55 @@ std::optional<WindowRenderer::Frame> WindowRenderer::draw_once(const ViewPicture
         frame.picture = read_picture(slot.pixels, shown.extent, shown.format);
     }
     return frame;
+}
+
+WindowRenderer::Beside WindowRenderer::draw_beside(const ViewPicture& scene,
+                                                   const FrameQuality& quality, FrameReport& report,
+                                                   const std::function<bool()>& is_wanted) {
+    try {
+        if (!begin_beside(scene, quality, report)) return Beside::impossible;
+        const VkFence done = gpu_->ring[(gpu_->frames - 1) % k_ring_slots].done;
+        while (!is_signaled(gpu_->device.context(), done)) {
+            if (is_wanted()) continue;
+            gpu_->set_goes_on(0);
+            return Beside::given_up;
+        }
+    } catch (const std::exception&) {
+        gpu_.reset();
+        return Beside::impossible;
+    }
+    std::swap(gpu_->kept, gpu_->beside);
+    return Beside::done;
+}
+
+// Returns false where the window's size is not that of its images.
+bool WindowRenderer::begin_beside(const ViewPicture& scene, const FrameQuality& quality,
+                                  FrameReport& report) {
+    const VkExtent2D size = window_->size_px();
+    const VkExtent2D extent = gpu_->swapchain.extent();
+    if (size.width != extent.width || size.height != extent.height) return false;
+    // One that was given up may still use its image.
+    gpu_->wait_for_all();
+    OnDevice::RingSlot& slot = gpu_->ring[gpu_->frames % k_ring_slots];
+    const VkExtent2D picture_extent = gpu_->picture_extent(quality);
+    gpu_->prepare_size(picture_extent, quality);
+    gpu_->make_renderer(scene, quality.scale);
+    PictureTarget target = gpu_->target_of(gpu_->beside, picture_extent);
+    const DeviceContext& context = gpu_->device.context();
+    if (context.features.conditional_rendering)
+        target.condition = FrameCondition{gpu_->goes_on.handle(), 0};
+    gpu_->set_goes_on(1);
+    const UploadPoint uploaded = gpu_->prepare(scene, target);
+    const Commands commands = begin_commands(context, slot.commands);
+    report = gpu_->record_scene(commands, commands, scene, target);
+    vk_check(commands->EndCommandBuffer(commands), "vkEndCommandBuffer");
+    const VkFence fence = slot.done;
+    vk_check(context.vk->ResetFences(context.device, 1, &fence), "vkResetFences");
+    Submission submission{.queue = context.queue, .commands = slot.commands, .fence = fence};
+    if (uploaded.value > 0) submission.waits.push_back(uploaded);
+    submit_commands(context, submission);
+    ++gpu_->frames;
+    return true;
 }
 
 Picture WindowRenderer::picture(const ViewPicture& scene, std::uint32_t width,

@@ -8,7 +8,8 @@
 //             a coarse one is smaller than the window
 //         --> copy it into the window, enlarged --> record the panel over it --> submit --> present
 //
-// While only the panel changes, frames show the kept picture.
+// While only the panel changes, frames show the kept picture. A fine picture of a view at rest is drawn beside it, without
+// an image of the window, and takes its place when it is done; drawing it is given up as soon as something moves.
 //
 // After a loss all these objects are created again and the frame is drawn once more
 // (engine/vulkan/device_loss.h). Mesh, octree and scene are not affected.
@@ -16,6 +17,7 @@
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -66,6 +68,17 @@ public:
     /// an error, which leaves no picture. has_kept_picture() must be true.
     std::optional<Frame> draw_kept(const OverlayDrawing& overlay, bool capture = false);
 
+    /// What has become of a picture that is drawn beside the kept one.
+    enum class Beside {
+        done,      ///< It is the kept one now; draw_kept() shows it.
+        given_up,  ///< Because it was not wanted any more. The kept one is still there.
+        impossible,  ///< The window has another size, or after an error: draw() does what is to be done.
+    };
+    /// Draws a picture as draw() does, and shows nothing. While the device works, `is_wanted` is asked again and again;
+    /// it should wait a few milliseconds for events. has_kept_picture() must be true.
+    Beside draw_beside(const ViewPicture& scene, const FrameQuality& quality, FrameReport& report,
+                       const std::function<bool()>& is_wanted);
+
     /// Draws a picture offscreen and without the panel, as `rimline render` and `points` do.
     Picture picture(const ViewPicture& scene, std::uint32_t width, std::uint32_t height);
 
@@ -80,6 +93,7 @@ public:
 private:
     struct OnDevice;
 
+    bool begin_beside(const ViewPicture& scene, const FrameQuality& quality, FrameReport& report);
     // Without a scene, the kept picture.
     std::optional<Frame> draw_once(const ViewPicture* scene, const OverlayDrawing& overlay,
                                    const FrameQuality& quality, bool capture);

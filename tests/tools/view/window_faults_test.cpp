@@ -54,8 +54,8 @@ public:
     }
 
     // Three frames of a camera that moves, as the window shows them. A frame that throws is drawn once
-    // more, and must then do.
-    std::vector<Picture> play(WindowRenderer& renderer) {
+    // more, and must then do. `beside`: all but the first are drawn beside the one before.
+    std::vector<Picture> play(WindowRenderer& renderer, bool beside = false) {
         thrown_ = 0;
         std::vector<Picture> shown;
         Scene scene{.camera = fit_camera({}, knot_.mesh, default_view_direction({0, 1, 0}), 1.0),
@@ -65,13 +65,13 @@ public:
         for (int frame = 0; frame < 3; ++frame) {
             scene.camera.eye.x += 0.1;
             try {
-                shown.push_back(draw(renderer, scene));
+                shown.push_back(draw(renderer, scene, beside && frame > 0));
             } catch (const Error&) {
                 ++thrown_;
-                shown.push_back(draw(renderer, scene));
+                shown.push_back(draw(renderer, scene, false));
             } catch (const std::bad_alloc&) {
                 ++thrown_;
-                shown.push_back(draw(renderer, scene));
+                shown.push_back(draw(renderer, scene, false));
             }
         }
         return shown;
@@ -80,12 +80,20 @@ public:
     int thrown() const { return thrown_; }
 
 private:
-    // Until there is an image to draw into.
-    Picture draw(WindowRenderer& renderer, const Scene& scene) {
+    // Until there is an image to draw into. `beside`: as the loop draws the picture of a view at rest.
+    Picture draw(WindowRenderer& renderer, const Scene& scene, bool beside) {
+        constexpr tools::FrameQuality k_quality{.scale = 1};
         for (int attempt = 0; attempt < 100; ++attempt) {
             {
                 const CountingNew counting;
-                if (auto frame = renderer.draw(scene, overlay_, {.scale = 1}, true))
+                FrameReport report;
+                if (beside && renderer.has_kept_picture() &&
+                    renderer.draw_beside(scene, k_quality, report, [] { return true; }) ==
+                        WindowRenderer::Beside::done) {
+                    if (auto frame = renderer.draw_kept(overlay_, true))
+                        return std::move(frame->picture);
+                }
+                if (auto frame = renderer.draw(scene, overlay_, k_quality, true))
                     return std::move(frame->picture);
             }
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -124,7 +132,7 @@ std::unique_ptr<Setting> open_setting(std::string& reason) {
     const auto setting = open_setting(setting##_reason);                \
     if (!setting) RIMLINE_SKIP(setting##_reason)
 
-void play_with_faults(FaultKind kind, std::uint64_t stride) {
+void play_with_faults(FaultKind kind, std::uint64_t stride, bool beside = false) {
     RIMLINE_OPEN_SETTING(setting);
     const std::vector<Picture> expected = setting->play(*setting->make_renderer());
     std::uint64_t calls = 0;
@@ -135,7 +143,7 @@ void play_with_faults(FaultKind kind, std::uint64_t stride) {
         {
             const auto renderer = setting->make_renderer();
             arm({.kind = kind, .call = calls, .result = calls});
-            const std::vector<Picture> shown = setting->play(*renderer);
+            const std::vector<Picture> shown = setting->play(*renderer, beside);
             report = disarm();
             CAPTURE(calls);
             CAPTURE(report.call);
@@ -155,6 +163,11 @@ TEST_CASE("whatever call fails while a window is drawn its pictures come all the
 }
 TEST_CASE("wherever the device of a window is lost its pictures come all the same") {
     play_with_faults(FaultKind::lost_device, 7);
+}
+
+TEST_CASE("whatever fails while a picture is drawn beside the one that is shown it comes") {
+    play_with_faults(FaultKind::failure, 29, true);
+    play_with_faults(FaultKind::lost_device, 7, true);
 }
 
 TEST_CASE("a window whose image cannot be had or shown shows the next one") {
@@ -191,7 +204,7 @@ TEST_CASE("whatever allocation fails while a window is drawn its pictures come a
         {
             const auto renderer = setting->make_renderer();
             arm_new(allocations);
-            const std::vector<Picture> shown = setting->play(*renderer);
+            const std::vector<Picture> shown = setting->play(*renderer, allocations % 2 == 1);
             failed = disarm_new();
             CAPTURE(allocations);
             CHECK(are_equal(shown, expected));

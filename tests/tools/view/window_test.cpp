@@ -94,6 +94,42 @@ TEST_CASE("a cloud in a window without its panel is the picture that points draw
     CHECK(difference(shown.capture(), shown.rendered(401, 203)) <= 1);
 }
 
+TEST_CASE("a picture that is drawn beside the one that is shown takes its place, or is given up") {
+    RIMLINE_OPEN_DISPLAY(display);
+    for (const bool as_points : {false, true}) {
+        CAPTURE(as_points);
+        Shown shown({.panel = false, .fits = false}, as_points);
+        const Picture first = shown.capture();
+        WindowRenderer& renderer = shown.loop->renderer();
+        REQUIRE(renderer.has_kept_picture());
+        orbit(shown.session.camera, {0.4, 0.1});
+        const Picture turned = shown.rendered(k_width, k_height);
+        REQUIRE(difference(turned, first) > 50);
+        const auto draw_beside = [&](bool is_wanted) {
+            FrameReport report;
+            const ViewPicture picture =
+                shown.session.picture(ImageSize{std::uint32_t(k_width), std::uint32_t(k_height)});
+            return renderer.draw_beside(picture, {}, report, [&] { return is_wanted; });
+        };
+        const auto shows = [&] {
+            std::optional<WindowRenderer::Frame> frame;
+            while (!frame) frame = renderer.draw_kept({}, true);
+            return frame->picture;
+        };
+        // It may be done before it is asked whether it is wanted.
+        const WindowRenderer::Beside became = draw_beside(false);
+        CHECK(became != WindowRenderer::Beside::impossible);
+        CHECK(difference(shows(), became == WindowRenderer::Beside::done ? turned : first) <= 1);
+        CHECK(draw_beside(true) == WindowRenderer::Beside::done);
+        CHECK(difference(shows(), turned) <= 1);
+        CHECK(difference(shows(), turned) <= 1);
+        // Of a window of another size there is none.
+        shown.resize(401, 203);
+        CHECK(draw_beside(true) == WindowRenderer::Beside::impossible);
+        CHECK(difference(shown.capture(), shown.rendered(401, 203)) <= 1);
+    }
+}
+
 TEST_CASE("after a lost device the window shows the same picture again") {
     RIMLINE_OPEN_DISPLAY(display);
     Shown shown({.panel = false});

@@ -21,6 +21,7 @@ from __future__ import annotations
 import importlib
 import operator
 import os
+import re
 import threading
 from typing import Any, Iterable, NamedTuple, Sequence, SupportsIndex, Union
 
@@ -312,4 +313,7 @@ def camera_path(
     eyes = [view.eye if isinstance(view, View) else view for view in views]
     if len(eyes) < 2:
         raise ValueError(f"views: expected at least two, not {len(eyes)}")
-    return CameraPath(mesh, eyes, up=up, progress=progress)
+    try:
+        return CameraPath(mesh, eyes, up=up, progress=progress)
+    except (TypeError, ValueError) as error:
+        raise type(error)(re.sub(r"^eyes\b", "views", str(error))) from None
