@@ -20,39 +20,45 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 8> k_model_endings{".obj", ".ply", ".stl",  ".off",
                                                           ".glb", ".xyz", ".gltf", ".pts"};
 
+constexpr std::string_view k_byte_order_mark = "\xef\xbb\xbf";
+
 bool is_model_file(const fs::path& path) {
     std::string ending = path.extension().string();
     std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
     return std::ranges::find(k_model_endings, ending) != k_model_endings.end();
 }
 
-[[noreturn]] void fail_reading(const std::string& name, const std::error_code& error) {
-    throw Error(ErrorCode::io, name + ": cannot read: " + error.message());
-}
-
 class InputFinder {
 public:
-    explicit InputFinder(const LongCall& call) : call_(call) {}
+    InputFinder(const std::string& outputs, const LongCall& call) : call_(call) {
+        std::error_code unreadable;
+        outputs_ = fs::weakly_canonical(outputs, unreadable);
+    }
 
     void add(const std::string& source) {
         if (source.starts_with('@')) return add_list(source.substr(1));
+        std::error_code unreadable;
+        if (!is_built_in_shape(source) && !fs::exists(fs::status(source, unreadable)))
+            throw Error(ErrorCode::io, source + ": cannot read: there is no such file or folder");
+        add_named(source);
+    }
+
+    std::vector<BatchInput> inputs;
+
+private:
+    // What does not exist is taken, too.
+    void add_named(const std::string& source) {
         if (is_built_in_shape(source)) {
             check_model_name(source);
             std::string name = source;
             std::ranges::replace(name, ':', '_');
             return take(source, name);
         }
-        std::error_code error;
-        const fs::file_status status = fs::status(source, error);
-        if (!fs::exists(status))
-            throw Error(ErrorCode::io, source + ": cannot read: there is no such file or folder");
-        if (!fs::is_directory(status)) return take(source, name_of(source));
+        std::error_code unreadable;
+        if (!fs::is_directory(source, unreadable)) return take(source, name_of(source));
         add_folder(source);
     }
 
-    std::vector<BatchInput> inputs;
-
-private:
     // The path without a root and without steps upwards.
     static std::string name_of(const std::string& file) {
         fs::path name;
@@ -85,16 +91,19 @@ private:
             const fs::path next = std::move(folders.back());
             folders.pop_back();
             std::error_code error, unreadable;
-            if (!entered.insert(fs::weakly_canonical(next, unreadable)).second) continue;
+            const fs::path place = fs::weakly_canonical(next, unreadable);
+            if (!entered.insert(place).second || (place == outputs_ && entered.size() > 1))
+                continue;
             fs::directory_iterator entry(next, error);
             for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
                 call_.checkpoint(0.0);
                 if (entry->is_directory(unreadable))
                     (entry->is_symlink(unreadable) ? links : folders).push_back(entry->path());
-                else if (is_model_file(entry->path()) && entry->is_regular_file(unreadable))
+                else if (is_model_file(entry->path()) &&
+                         (entry->is_regular_file(unreadable) || !entry->exists(unreadable)))
                     files.push_back(entry->path());
             }
-            if (error) fail_reading(next.string(), error);
+            if (error) files.push_back(next);
         }
     }
 
@@ -104,12 +113,14 @@ private:
         std::string line;
         for (std::uint64_t number = 1; std::getline(list, line); ++number) {
             call_.checkpoint(0.0);
+            if (number == 1 && line.starts_with(k_byte_order_mark))
+                line.erase(0, k_byte_order_mark.size());
             if (line.ends_with('\r')) line.pop_back();
             if (line.empty() || line.starts_with('#')) continue;
             if (line.starts_with('@'))
                 throw Error(ErrorCode::bad_input, name + ":" + std::to_string(number) +
                                                       ": a list in a list: name models here");
-            add(line);
+            add_named(line);
         }
         if (list.bad()) throw Error(ErrorCode::io, name + ": cannot read");
     }
@@ -123,6 +134,7 @@ private:
     }
 
     const LongCall& call_;
+    fs::path outputs_;
     std::set<std::string> known_;
 };
 
@@ -150,8 +162,8 @@ Shard parse_shard(const std::string& text) {
 }
 
 std::vector<BatchInput> find_batch_inputs(const std::vector<std::string>& sources,
-                                          const LongCall& call) {
-    InputFinder finder(call);
+                                          const std::string& outputs, const LongCall& call) {
+    InputFinder finder(outputs, call);
     for (const std::string& source : sources) finder.add(source);
     return std::move(finder.inputs);
 }

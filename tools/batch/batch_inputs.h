@@ -32,10 +32,12 @@ struct Shard {
 Shard parse_shard(const std::string& text);
 
 /// Of each source: a built-in shape, a model file, a folder with all models in it, its subfolders too, or @LIST, a text
-/// file with one of these a line. Sorted by name within a folder; a file that occurs twice, by whatever path, counts once. Throws
-/// Error{io} for what does not exist, Error{cancelled}.
+/// file with one of these a line. Sorted by name within a folder; a file that occurs twice, by whatever path, counts
+/// once. What is in the folder `outputs` is no model of a folder that holds it. What a list names, and what a folder
+/// holds and cannot be read, is an input all the same: its subcommand says what is wrong. Throws Error{io} for a source
+/// that does not exist, Error{cancelled}.
 std::vector<BatchInput> find_batch_inputs(const std::vector<std::string>& sources,
-                                          const LongCall& call);
+                                          const std::string& outputs, const LongCall& call);
 
 /// 64-bit FNV-1a.
 std::uint64_t fnv1a(const void* bytes, std::size_t size,

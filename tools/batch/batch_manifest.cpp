@@ -25,11 +25,20 @@ constexpr std::chrono::milliseconds k_lock_poll{50};
 }  // namespace
 
 BatchManifest::BatchManifest(const std::filesystem::path& path, const LongCall* wait)
+    : BatchManifest(path, wait, true) {}
+
+BatchManifest BatchManifest::as_it_is(const std::filesystem::path& path) {
+    return BatchManifest(path, nullptr, false);
+}
+
+BatchManifest::BatchManifest(const std::filesystem::path& path, const LongCall* wait,
+                             bool is_written)
     : path_(path) {
-    descriptor_ = open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) fail_manifest(path, "write");
+    const int access = is_written ? O_RDWR | O_CREAT | O_APPEND : O_RDONLY;
+    descriptor_ = open(path.c_str(), access | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) fail_manifest(path, is_written ? "write" : "read");
     try {
-        lock(wait);
+        if (is_written) lock(wait);
         std::string text;
         std::array<char, 1 << 16> buffer;
         for (;;) {
@@ -41,7 +50,7 @@ BatchManifest::BatchManifest(const std::filesystem::path& path, const LongCall* 
         }
         const std::size_t whole = text.rfind('\n') + 1;  // 0 where there is none.
         if (whole != text.size()) {
-            if (ftruncate(descriptor_, static_cast<off_t>(whole)) != 0)
+            if (is_written && ftruncate(descriptor_, static_cast<off_t>(whole)) != 0)
                 fail_manifest(path, "write");
             text.resize(whole);
         }

@@ -33,6 +33,8 @@ public:
     /// Error{io}, Error{bad_input} naming a line that is no entry, and Error{io} where another batch has the lock:
     /// with `wait` it waits for that one instead, and stops as that call does.
     explicit BatchManifest(const std::filesystem::path& path, const LongCall* wait = nullptr);
+    /// Of a file that is there, to be read alone, while another batch may write it. Throws the same, but for the lock.
+    static BatchManifest as_it_is(const std::filesystem::path& path);
     ~BatchManifest();
     BatchManifest(const BatchManifest&) = delete;
     BatchManifest& operator=(const BatchManifest&) = delete;
@@ -48,6 +50,7 @@ public:
     void append(const nlohmann::ordered_json& entry);
 
 private:
+    BatchManifest(const std::filesystem::path& path, const LongCall* wait, bool is_written);
     void lock(const LongCall* wait) const;
     void read(const std::string& text);
     void take(const nlohmann::ordered_json& line, std::uint64_t size);

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <string_view>
 #include <system_error>
 
@@ -32,6 +33,20 @@ bool is_value_of(std::string_view setting, std::string_view variable) {
 std::string last_line(std::string text) {
     while (text.ends_with('\n')) text.pop_back();
     return text.substr(text.rfind('\n') + 1);  // npos + 1 is 0.
+}
+
+// Of the folder for temporary files ($TMPDIR, else /tmp); gone when it is closed. Null, and errno, if there is none.
+std::FILE* open_temporary() {
+    std::error_code error;
+    std::string name = (std::filesystem::temp_directory_path(error) / "rimline-XXXXXX").string();
+    if (error) {
+        errno = error.value();
+        return nullptr;
+    }
+    const int descriptor = mkostemp(name.data(), O_CLOEXEC);
+    if (descriptor < 0) return nullptr;
+    unlink(name.c_str());
+    return fdopen(descriptor, "w+");
 }
 
 // Between vfork() and exec(): what a system call does not change is the parent's. Returns the error.
@@ -80,12 +95,12 @@ int become_process(char* const* words, char* const* environment, int output, int
 }  // namespace
 
 BatchProcess::BatchProcess(const std::vector<std::string>& arguments, const BatchLimits& limits)
-    : output_(std::tmpfile()), error_(std::tmpfile()), seconds_(limits.seconds) {
-    const auto fail = [](int number) {
-        throw Error(ErrorCode::io,
-                    "cannot start a process: " + std::generic_category().message(number));
+    : output_(open_temporary()), error_(open_temporary()), seconds_(limits.seconds) {
+    const auto fail = [](const std::string& what, int number) {
+        throw Error(ErrorCode::io, what + ": " + std::generic_category().message(number));
     };
-    if (!output_ || !error_) fail(errno);
+    if (!output_ || !error_)
+        fail("cannot make a temporary file (TMPDIR names another folder)", errno);
     std::vector<char*> words;
     std::string name = "rimline";
     words.push_back(name.data());
@@ -107,7 +122,7 @@ BatchProcess::BatchProcess(const std::vector<std::string>& arguments, const Batc
                                      fileno(error_.get()), limits);
     if (number != 0) {
         id_ = -1;
-        fail(number);
+        fail("cannot start a process", number);
     }
 }
 
@@ -154,6 +169,9 @@ std::optional<BatchEnd> BatchProcess::poll_end() {
         end.status = WEXITSTATUS(status) == 2   ? "usage"
                      : WEXITSTATUS(status) == 3 ? "check"
                                                 : "failed";
+        // Where its message could not be written.
+        if (end.error.empty())
+            end.error = "it ended with status " + std::to_string(WEXITSTATUS(status));
     }
     return end;
 }

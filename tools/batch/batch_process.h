@@ -24,7 +24,8 @@ struct BatchLimits {
 struct BatchEnd {
     /// ok, failed (status 1), usage (2), check (3), crashed (a signal), timeout.
     std::string status;
-    std::string error;   ///< The last line of its standard error; empty if there is none.
+    std::string
+        error;  ///< The last line of its standard error; of a failure without one, its status.
     std::string output;  ///< Its standard output.
     double ms = 0.0;     ///< By the clock.
 };

@@ -29,7 +29,9 @@ glm::dvec3 long_direction(const glm::dvec3& direction) {
     const double largest =
         std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
     if (!(largest > 0.0 && largest < 0x1p-20)) return direction;
-    return std::exp2(-std::ilogb(largest)) * direction;
+    const int exponent = -std::ilogb(largest);
+    return {std::scalbn(direction.x, exponent), std::scalbn(direction.y, exponent),
+            std::scalbn(direction.z, exponent)};
 }
 
 SharedMesh load_bound_mesh(const std::string& model, std::uint32_t subdivide, bool reads_textures,

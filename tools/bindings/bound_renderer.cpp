@@ -44,7 +44,7 @@ Picture BoundRenderer::render(const SharedMesh& shared, RenderOptions& options,
     check_has_extent(shared->name(), mesh);
     const glm::dvec3 up = settle_up(mesh, options.picture.up, options.picture.is_up_auto).up;
     const HoughOctree& octree = shared->octree(call);
-    const std::lock_guard lock(mutex_);
+    const Turns::Turn turn(turns_, call);
     if (std::ranges::find(meshes_, shared) == meshes_.end()) meshes_.push_back(shared);
     if (!options.picture.eye) options.picture.view.choose(shared->name(), mesh, up, call);
     StillScene still(shared->name(), octree, options.style, options.picture, call);
@@ -68,7 +68,7 @@ Picture BoundRenderer::render(const SharedMesh& shared, RenderOptions& options,
 void BoundRenderer::measure(BoundMesh& mesh, const LongCall& call,
                             const std::function<void(const VisibleRatios& ratios)>& use) {
     const HoughOctree& octree = mesh.octree(call);
-    const std::lock_guard lock(mutex_);
+    const Turns::Turn turn(turns_, call);
     ViewRatios ratios(device_.context(), octree, call.stop);
     use([&](std::span<const glm::dvec3> eyes) { return ratios.measure(eyes, call.stop); });
 }

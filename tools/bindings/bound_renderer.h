@@ -4,7 +4,6 @@
 
 #include <CLI/App.hpp>
 #include <functional>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "silhouette/field/best_views.h"
 #include "silhouette/picture.h"
 #include "tools/bindings/bound_mesh.h"
+#include "tools/bindings/turns.h"
 #include "tools/options/drawing_device.h"
 #include "tools/options/picture_options.h"
 #include "tools/options/scene_options.h"
@@ -35,7 +35,8 @@ public:
     /// `device` as --device. Throws Error{no_device}.
     BoundRenderer(const std::string& device, bool validates);
 
-    /// Throws UsageError for a mesh that is not welded and for options that do not go together, and as Renderer.
+    /// Throws UsageError for a mesh that is not welded and for options that do not go together, and as Turns and
+    /// Renderer.
     Picture render(const SharedMesh& mesh, RenderOptions& options, const LongCall& call);
     /// Calls use(ratios) while no other thread uses the device.
     void measure(BoundMesh& mesh, const LongCall& call,
@@ -45,7 +46,7 @@ public:
 
 private:
     DrawingDevice device_;
-    std::mutex mutex_;
+    Turns turns_;
     // The renderer knows octrees by their addresses: those of the last picture, and of pictures that failed after it. So
     // these meshes live until another picture has been drawn.
     std::vector<SharedMesh> meshes_;

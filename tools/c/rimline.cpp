@@ -2,6 +2,8 @@
 
 #include "tools/c/rimline.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -18,6 +20,7 @@
 
 #include "silhouette/field/ray_ratios.h"
 #include "silhouette/mesh/brute_force.h"
+#include "silhouette/printable_text.h"
 #include "tools/bindings/bound_drawer.h"
 #include "tools/bindings/bound_mesh.h"
 #include "tools/bindings/bound_renderer.h"
@@ -54,6 +57,7 @@ struct rimline_drawing {
 };
 struct rimline_renderer {
     rimline::tools::BoundRenderer renderer;
+    pid_t opened_by = getpid();
 };
 struct rimline_picture {
     rimline::Picture picture;
@@ -79,7 +83,7 @@ rimline_error g_out_of_memory{RIMLINE_OUT_OF_MEMORY, "out of memory"};
 rimline_status fail(rimline_error** error, rimline_status status, const char* message) noexcept {
     if (error == nullptr) return status;
     try {
-        *error = new rimline_error{status, message};
+        *error = new rimline_error{status, rimline::printable_text(message)};
     } catch (const std::bad_alloc&) {
         *error = &g_out_of_memory;
     }
@@ -473,11 +477,14 @@ rimline_status rimline_renderer_create(const char* device, rimline_renderer** re
                                        rimline_error** error) {
     return guarded(error, [&] {
         *given(renderer, "renderer") = nullptr;
-        *renderer = new rimline_renderer{{device == nullptr ? "" : device, false}};
+        *renderer = new rimline_renderer{.renderer = {device == nullptr ? "" : device, false}};
     });
 }
 
-void rimline_renderer_free(rimline_renderer* renderer) { delete renderer; }
+void rimline_renderer_free(rimline_renderer* renderer) {
+    // A child of fork() has none of the device's threads: closing it would wait for them.
+    if (renderer != nullptr && renderer->opened_by == getpid()) delete renderer;
+}
 
 rimline_status rimline_renderer_render(rimline_renderer* renderer, const rimline_mesh* mesh,
                                        const rimline_option* options, size_t option_count,

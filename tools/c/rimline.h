@@ -59,7 +59,9 @@ RIMLINE_API void rimline_error_free(rimline_error* error);
 
 /* Long calls. */
 
-/** Receives the finished share, 0 to 1, on the thread of the call. It never decreases. Returns 0 to go on. */
+/** Receives the finished share, 0 to 1, on the thread of the call. It never decreases. Returns 0 to go on. Calls that it
+ * makes with the drawer or renderer of the call, or that need what the call makes for its mesh, fail with
+ * RIMLINE_BAD_ARGUMENT. */
 typedef int (*rimline_progress_function)(double share, void* user);
 
 /** NULL in place of a call: no progress, no end but the call's own. */
@@ -229,6 +231,7 @@ typedef struct rimline_picture rimline_picture;
 /** `device`: gpu, cpu, a number or a part of its name; NULL: a discrete GPU if there is one. */
 RIMLINE_API rimline_status rimline_renderer_create(const char* device, rimline_renderer** renderer,
                                                    rimline_error** error);
+/** In a child of fork() it does nothing: the device is the parent's. */
 RIMLINE_API void rimline_renderer_free(rimline_renderer* renderer);
 /** `options`: those of `rimline render` for style, camera, lights and image, {"size", "640x480"}. */
 RIMLINE_API rimline_status rimline_renderer_render(rimline_renderer* renderer,

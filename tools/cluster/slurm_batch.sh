@@ -34,6 +34,9 @@ submit() {
     shift
     local options=()
     while [ $# -gt 0 ] && [ "$1" != -- ]; do
+        case "$1" in
+            -J* | --job-name* | -a* | --array*) stop "$1: this script names its jobs and makes the array" 2 ;;
+        esac
         options+=("$1")
         shift
     done
@@ -59,21 +62,24 @@ submit() {
     [ -n "$has_subcommand" ] || stop "$usage" 2
     mkdir -p "$folder" || stop "cannot make the folder $folder"
 
-    local name array_id merge_id
+    local name array_id merge_id logs=${folder//%/%%}  # In names of logs, % begins a pattern.
     name=rimline-$(printf '%s\n' "$PWD" "$shards" "$@" | cksum | cut -d ' ' -f 1)
     array_id=$(queued "$name") || exit
     if [ -z "$array_id" ]; then
         # A log holds all starts of its task. The signal comes a minute before the time ends.
-        array_id=$(sbatch --parsable --job-name="$name" --array="$array" --requeue --signal=B:TERM@60 \
-            --open-mode=append --output="$folder/slurm-%A_%a.log" "${options[@]}" "$0" \
+        array_id=$(sbatch --parsable --requeue --signal=B:TERM@60 \
+            --open-mode=append --output="$logs/slurm-%A_%a.log" "${options[@]}" \
+            --job-name="$name" --array="$array" "$0" \
             run-shard "$program" "$folder" "$shards" "${RIMLINE_RETRIES:-2}" "$has_threads" "$@") ||
             stop "sbatch failed"
         array_id=${array_id%%;*}
     fi
     merge_id=$(queued "$name-$array_id") || exit
     if [ -z "$merge_id" ]; then
-        merge_id=$(sbatch --parsable --job-name="$name-$array_id" --dependency="afterany:$array_id" --requeue \
-            --open-mode=append --output="$folder/slurm-%j.log" "${options[@]}" "$0" \
+        # A dependency among the options is that of the array, after which this one comes.
+        merge_id=$(sbatch --parsable --requeue \
+            --open-mode=append --output="$logs/slurm-%j.log" "${options[@]}" \
+            --job-name="$name-$array_id" --dependency="afterany:$array_id" "$0" \
             run-merge "$program" "$@") || stop "sbatch failed"
     fi
     echo "$array_id ${merge_id%%;*}"

@@ -10,6 +10,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -123,32 +124,16 @@ public:
             for (const BatchTask& task : tasks) all.push_back(&task);
             return print_dry(context, tasks, all, 0.0);
         }
-        if (!is_dry_) make_folder(folder_);
+        if (is_dry_) {
+            const BatchManifest manifest = BatchManifest::as_it_is(manifest_path());
+            const std::vector<const BatchTask*> left = tasks_left(tasks, manifest, context);
+            return print_dry(context, tasks, left, mean_ms(manifest));
+        }
+        make_folder(folder_);
         const LongCall wait{context.stop, {}};
         BatchManifest manifest(manifest_path(), waits_ ? &wait : nullptr);
         if (merges_) return merge(tasks, manifest, context);
-        std::vector<const BatchTask*> left;
-        double known_ms = 0.0;
-        std::size_t known = 0;
-        {
-            Progress progress(context, "reading models");
-            const LongCall call = progress.call();
-            for (const BatchTask& task : tasks) {
-                call.checkpoint(double(&task - tasks.data()) / double(tasks.size()));
-                if (!is_done(task, manifest, call))
-                    left.push_back(&task);
-                else
-                    ++(manifest.find(task.key)->status == "ok" ? skipped_ : failed_before_);
-            }
-        }
-        for (const auto& [input, entry] : manifest.entries()) {
-            if (entry.status != "ok" || !entry.command.starts_with(rest_.front() + " ")) continue;
-            known_ms += entry.ms;
-            ++known;
-        }
-        context.times.end("reading models");
-        if (is_dry_)
-            return print_dry(context, tasks, left, known > 0 ? known_ms / double(known) : 0.0);
+        const std::vector<const BatchTask*> left = tasks_left(tasks, manifest, context);
         std::optional<OutputFile> page;
         if (!page_.empty()) page.emplace(page_);
         run_all(left, manifest, context);
@@ -159,6 +144,39 @@ public:
 
 private:
     fs::path manifest_path() const { return batch_manifest_path(folder_, shard_); }
+
+    // What failed in an earlier run comes last.
+    std::vector<const BatchTask*> tasks_left(const std::vector<BatchTask>& tasks,
+                                             const BatchManifest& manifest,
+                                             const Context& context) {
+        std::vector<const BatchTask*> left, failed;
+        Progress progress(context, "reading models");
+        const LongCall call = progress.call();
+        for (const BatchTask& task : tasks) {
+            call.checkpoint(double(&task - tasks.data()) / double(tasks.size()));
+            const BatchEntry* const entry = manifest.find(task.key);
+            const bool is_failed = entry != nullptr && entry->status != "ok";
+            if (!is_done(task, manifest, call))
+                (is_failed ? failed : left).push_back(&task);
+            else
+                ++(is_failed ? failed_before_ : skipped_);
+        }
+        left.insert(left.end(), failed.begin(), failed.end());
+        context.times.end("reading models");
+        return left;
+    }
+
+    // Of the models that this subcommand has done; 0 if there are none.
+    double mean_ms(const BatchManifest& manifest) const {
+        double ms = 0.0;
+        std::size_t count = 0;
+        for (const auto& [input, entry] : manifest.entries()) {
+            if (entry.status != "ok" || !entry.command.starts_with(rest_.front() + " ")) continue;
+            ms += entry.ms;
+            ++count;
+        }
+        return count > 0 ? ms / double(count) : 0.0;
+    }
 
     // The outputs are looked for, models are not read: the next batch finds those that changed.
     ExitStatus merge(const std::vector<BatchTask>& tasks, BatchManifest& manifest,
@@ -227,7 +245,8 @@ private:
         Progress progress(context, "finding models");
         std::vector<BatchTask> tasks;
         std::map<std::string, const BatchInput*> of_output;
-        const std::vector<BatchInput> inputs = find_batch_inputs(sources_, progress.call());
+        const std::vector<BatchInput> inputs =
+            find_batch_inputs(sources_, folder_, progress.call());
         if (inputs.empty()) throw Error(ErrorCode::bad_input, "no model among what was given");
         for (const BatchInput& input : inputs) {
             BatchTask task = make_batch_task(input, rest_, folder_);
@@ -289,8 +308,16 @@ private:
         while (next < left.size() || !running.empty()) {
             call.checkpoint(double(done) / double(std::max<std::size_t>(left.size(), 1)));
             while (running.size() < jobs && next < left.size()) {
+                const BatchTask& task = *left[next];
+                if (const std::string error = make_output_folders(task); !error.empty()) {
+                    record(task, "", {.status = "failed", .error = error, .output = {}, .ms = 0.0},
+                           manifest);
+                    ++next;
+                    ++done;
+                    continue;
+                }
                 try {
-                    start(*left[next], limits, running, context);
+                    start(task, limits, running, context);
                     ++next;
                 } catch (const Error& error) {
                     if (error.code() != ErrorCode::io || running.empty()) throw;
@@ -316,12 +343,26 @@ private:
 
     std::uint32_t models_at_a_time() const { return jobs_ > 0 ? jobs_ : allowed_threads(); }
 
-    // A wrong option is wrong for all models: where all that were done first say so, the rest need not be tried.
-    void check_usage(const BatchEnd& end, bool is_last) const {
+    // A wrong option is wrong for all models: where all that were done first say the same of it, the rest need not be
+    // tried.
+    void check_usage(const BatchEnd& end, bool is_last) {
+        usage_errors_.insert(end.error);
         const auto usage = kinds_.find("usage");
-        const bool all_are = usage != kinds_.end() && usage->second == done_ && skipped_ == 0;
+        const bool all_are = usage != kinds_.end() && usage->second == done_ && skipped_ == 0 &&
+                             usage_errors_.size() == 1;
         if (all_are && (is_last || done_ >= k_tried))
             throw UsageError("of the subcommand: " + without_advice(words_of(end.error)));
+    }
+
+    // Returns what is wrong with one; empty: nothing.
+    static std::string make_output_folders(const BatchTask& task) {
+        try {
+            for (const std::string& output : task.outputs)
+                make_folder(fs::absolute(output).parent_path());
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return {};
     }
 
     void start(const BatchTask& task, const BatchLimits& limits, std::vector<Running>& running,
@@ -333,8 +374,6 @@ private:
             if (error.code() == ErrorCode::cancelled) throw;
             // The subcommand says what is wrong with the file.
         }
-        for (const std::string& output : task.outputs)
-            make_folder(fs::absolute(output).parent_path());
         std::vector<std::string> arguments = task.arguments;
         arguments.emplace_back("--json");
         if (std::ranges::none_of(arguments, [](const std::string& word) {
@@ -404,7 +443,11 @@ private:
         const double estimate_s = 1e-3 * mean_ms * rounds;
         if (context.json) {
             nlohmann::ordered_json commands = nlohmann::ordered_json::array();
-            for (const BatchTask* task : left) commands.push_back(task->command);
+            for (const BatchTask* task : left) {
+                std::vector<std::string> words{"rimline"};
+                words.insert(words.end(), task->arguments.begin(), task->arguments.end());
+                commands.push_back(std::move(words));
+            }
             print_json(context, {{"models", tasks.size()},
                                  {"left", left.size()},
                                  {"estimate_s",
@@ -477,6 +520,7 @@ private:
     bool is_dry_ = false, retries_ = false, merges_ = false, waits_ = false;
     std::size_t skipped_ = 0, failed_before_ = 0, done_ = 0, left_ = 0;
     std::map<std::string, std::size_t> kinds_;  // Of failures.
+    std::set<std::string> usage_errors_;
     std::vector<std::string> first_failures_;
 };
 

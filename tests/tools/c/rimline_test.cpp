@@ -1,6 +1,8 @@
 #include "tools/c/rimline.h"
 
 #include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -147,7 +149,7 @@ TEST_CASE("a direction is one however short") {
         rimline_bytes_free(edges);
         return found;
     };
-    for (const int power : {-10, -60, -62, -100, -300})
+    for (const int power : {-10, -60, -62, -100, -300, -1040})
         CHECK(edges_of(std::ldexp(1.0, power)) == edges_of(1.0));
     rimline_mesh_free(mesh);
 }
@@ -311,6 +313,55 @@ TEST_CASE("null handles and wrong arguments are errors, never crashes") {
     CHECK(std::string(rimline_version()).find('.') != std::string::npos);
 }
 
+TEST_CASE(
+    "a progress function that uses what its call uses is refused, and does not wait for itself") {
+    rimline_mesh* mesh = load("shape:knot:20000");
+    struct Seen {
+        rimline_mesh* mesh;
+        rimline_drawer* drawer = nullptr;
+        rimline_status status = RIMLINE_OK;
+    } seen{mesh};
+    const rimline_call making{sizeof making,
+                              [](double, void* user) {
+                                  auto& s = *static_cast<Seen*>(user);
+                                  rimline_tracker* tracker = nullptr;
+                                  s.status = rimline_tracker_create(s.mesh, &k_eye, nullptr,
+                                                                    &tracker, nullptr);
+                                  return 0;
+                              },
+                              &seen};
+    rimline_tracker* tracker = nullptr;
+    REQUIRE(rimline_tracker_create(mesh, &k_eye, &making, &tracker, nullptr) == RIMLINE_OK);
+    CHECK(seen.status == RIMLINE_BAD_ARGUMENT);
+    REQUIRE(rimline_drawer_create(mesh, nullptr, &seen.drawer, nullptr) == RIMLINE_OK);
+    const rimline_call drawing_call{sizeof drawing_call,
+                                    [](double, void* user) {
+                                        auto& s = *static_cast<Seen*>(user);
+                                        rimline_drawing* none = nullptr;
+                                        s.status = rimline_drawer_draw(s.drawer, nullptr, 0,
+                                                                       nullptr, &none, nullptr);
+                                        return 0;
+                                    },
+                                    &seen};
+    seen.status = RIMLINE_OK;
+    rimline_drawing* drawing = nullptr;
+    REQUIRE(rimline_drawer_draw(seen.drawer, nullptr, 0, &drawing_call, &drawing, nullptr) ==
+            RIMLINE_OK);
+    CHECK(seen.status == RIMLINE_BAD_ARGUMENT);
+    rimline_drawing_free(drawing);
+    rimline_drawer_free(seen.drawer);
+    rimline_tracker_free(tracker);
+    rimline_mesh_free(mesh);
+}
+
+TEST_CASE("messages are UTF-8, whatever names are") {
+    rimline_mesh* mesh = nullptr;
+    rimline_error* error = nullptr;
+    REQUIRE(rimline_mesh_load("b\xff.obj", nullptr, &mesh, &error) == RIMLINE_IO);
+    CHECK(std::string(rimline_error_message(error)).starts_with("b\\xff.obj: "));
+    rimline_error_free(error);
+}
+
 TEST_CASE("the progress function sees shares that grow, and ends calls") {
     struct Seen {
         std::vector<double> shares;
@@ -374,6 +425,42 @@ TEST_CASE("pictures and views are drawn" * doctest::test_suite("device")) {
     CHECK(count == 3);
     CHECK(std::abs(by_rays[0].visible_ratio - views[0].visible_ratio) < 0.01);
     for (int i = 0; i < 3; ++i) CHECK(std::abs(by_rays[0].eye[i] - views[0].eye[i]) < 0.1);
+    // A picture that waits for the renderer of another can be ended.
+    struct Shared {
+        std::atomic<bool> is_drawing = false, goes_on = false;
+    } shared;
+    std::thread first([&] {
+        const rimline_call call{sizeof call,
+                                [](double share, void* user) {
+                                    auto& s = *static_cast<Shared*>(user);
+                                    s.is_drawing = share > 0.0;
+                                    while (share > 0.0 && !s.goes_on) std::this_thread::yield();
+                                    return 0;
+                                },
+                                &shared};
+        rimline_picture* other = nullptr;
+        CHECK(rimline_renderer_render(renderer, mesh, options, 3, &call, &other, nullptr) ==
+              RIMLINE_OK);
+        rimline_picture_free(other);
+    });
+    while (!shared.is_drawing) std::this_thread::yield();
+    const rimline_call ended{sizeof ended, [](double, void*) { return 1; }, nullptr};
+    rimline_picture* none = nullptr;
+    CHECK(failing([&](auto e) {
+              return rimline_renderer_render(renderer, mesh, options, 3, &ended, &none, e);
+          }) == RIMLINE_CANCELLED);
+    shared.goes_on = true;
+    first.join();
+    // Closing the device in a child of fork() would wait for threads that it has not.
+    const pid_t child = fork();
+    if (child == 0) {
+        alarm(20);
+        rimline_renderer_free(renderer);
+        _exit(0);
+    }
+    int status = -1;
+    REQUIRE(waitpid(child, &status, 0) == child);
+    CHECK(status == 0);
     CHECK(failing([&](auto e) {
               const rimline_option bad{"style", "oil"};
               return rimline_renderer_render(renderer, mesh, &bad, 1, nullptr, &picture, e);

@@ -1,5 +1,6 @@
 """rimline batch: every model once, whole, and never missing."""
 
+import fcntl
 import json
 import os
 import pathlib
@@ -286,6 +287,97 @@ def test_a_usage_error_of_one_model_costs_that_model():
         result, told = batch(str(root), "-o", f"{folder}/out", "--jobs", "1", "--", "draw", "--eye", "1,1,1", "-o",
                              "{out}/{path}.svg")
         assert result.returncode == 1 and told["kinds"] == {"usage": 1} and told["done"] == 5, (result, told)
+
+
+def test_usage_errors_of_some_models_do_not_end_a_batch_that_is_tried_again():
+    with tempfile.TemporaryDirectory() as folder:
+        # At its true scale each of the first three needs more than a page, and says how much.
+        sides = [900, 700, 800, *range(1, 9)]
+        for number, side in enumerate(sides):
+            text = f"v 0 0 0\nv {side} 0 0\nv 0 {side} 0\nv 0 0 {side}\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n"
+            pathlib.Path(f"{folder}/m{number:02}.obj").write_text(text)
+        arguments = (folder, "-o", f"{folder}/out", "--jobs", "1", "--retry", "--", "draw", "--ortho", "auto", "--scale",
+                     "1:1", "-o", "{out}/{stem}.svg")
+        for _ in range(2):
+            result, told = batch(*arguments)
+            assert result.returncode == 1 and told["kinds"] == {"usage": 3}, result.stderr
+        assert told["skipped"] == 8 and told["done"] == 0
+        # What says the same of all is wrong for all. What failed before comes last, so that the others are tried.
+        same = (folder, "-o", f"{folder}/same", "--jobs", "1", "--retry", "--", "draw", "--scale", "1:1", "-o",
+                "{out}/{stem}.svg")
+        assert "of the subcommand: " in fail(2, "batch", *same)
+        assert len(entries(f"{folder}/same/manifest.jsonl")) == 3
+        assert "of the subcommand: " in fail(2, "batch", *same)
+        lines = entries(f"{folder}/same/manifest.jsonl")
+        assert [pathlib.Path(line["input"]).stem for line in lines] == [f"m0{i}" for i in range(6)]
+
+
+def test_outputs_in_the_folder_of_the_models_are_no_models():
+    with tempfile.TemporaryDirectory() as folder:
+        root = models(folder)
+        for name in ("{stem}", "{path}"):
+            out = f"{root}/made-{name[1:5]}"
+            arguments = (str(root), "-o", out, "--", "convert", "-o", "{out}/" + name + ".glb")
+            assert succeed(*arguments)["done"] == 5
+            assert succeed(*arguments)["skipped"] == 5
+            for made in pathlib.Path(out).rglob("*.glb"):
+                made.unlink()
+        # A folder that is named itself is one of models.
+        assert succeed(str(root), "-o", str(root), "--", "info")["done"] == 5
+
+
+def test_what_cannot_be_read_fails_alone():
+    with tempfile.TemporaryDirectory() as folder:
+        root, out = models(folder), f"{folder}/out"
+        os.symlink("nowhere.obj", root / "dangling.obj")
+        listed = pathlib.Path(f"{folder}/list.txt")
+        listed.write_bytes(b"\xef\xbb\xbf# from a spreadsheet\r\n" + f"{root}\r\n{root}/gone.obj\n".encode())
+        arguments = (f"@{listed}", "-o", out, "--", "draw", "-o", "{out}/{path}.svg")
+        result, told = batch(*arguments)
+        assert result.returncode == 1 and told["kinds"] == {"failed": 2} and told["done"] == 5, (result, told)
+        failed = {line["input"]: line["error"] for line in entries(f"{out}/manifest.jsonl") if line["error"]}
+        assert set(failed) == {str(root / "dangling.obj"), str(root / "gone.obj")}
+        assert all("cannot open it" in error for error in failed.values()), failed
+        # A model that is gone after it was done fails alone, too; merging needs no models.
+        os.remove(root / "m0.obj")
+        result, told = batch(f"@{listed}", "-o", out, "--merge", "--", "draw", "-o", "{out}/{path}.svg")
+        assert told["models"] == 6, (result, told)
+        # An output that has a file for its folder.
+        pathlib.Path(f"{folder}/blocked").mkdir()
+        pathlib.Path(f"{folder}/blocked/more").write_text("")
+        result, told = batch(str(root), "-o", f"{folder}/blocked", "--", "draw", "-o", "{out}/{path}.svg")
+        assert told["kinds"] == {"failed": 3} and told["done"] == 2, (result, told)  # Two in it, and the link.
+        if os.geteuid() == 0:
+            return  # Who may read everything.
+        os.chmod(root / "more", 0)
+        try:
+            assert batch(str(root), "-o", f"{folder}/other", "--", "info")[1]["kinds"] == {"failed": 2}
+        finally:
+            os.chmod(root / "more", 0o700)
+
+
+def test_temporary_files_are_where_the_environment_says():
+    with tempfile.TemporaryDirectory() as folder:
+        words = [PROGRAM, "batch", "shape:box", "-o", f"{folder}/out", "--", "info"]
+        result = subprocess.run(words, capture_output=True, text=True, env={**os.environ, "TMPDIR": f"{folder}/none"})
+        assert result.returncode == 1 and "cannot make a temporary file" in result.stderr, result
+        result = subprocess.run(words, capture_output=True, text=True, env={**os.environ, "TMPDIR": folder})
+        assert result.returncode == 0 and os.listdir(folder) == ["out"], result
+
+
+def test_a_dry_run_says_what_is_left_while_the_batch_runs():
+    with tempfile.TemporaryDirectory() as folder:
+        out = f"{folder}/out"
+        succeed("shape:box", "-o", out, "--", "info")
+        with open(f"{out}/manifest.jsonl", "r+b") as manifest:
+            fcntl.flock(manifest, fcntl.LOCK_EX)
+            manifest.seek(0, os.SEEK_END)
+            manifest.write(b'{"input": "shape:kn')  # As a batch may be about to write.
+            manifest.flush()
+            before = pathlib.Path(f"{out}/manifest.jsonl").read_bytes()
+            told = succeed("shape:box", "shape:torus:200", "-o", out, "--dry-run", "--", "info")
+            assert told["left"] == 1 and told["commands"] == [["rimline", "info", "shape:torus:200"]], told
+            assert pathlib.Path(f"{out}/manifest.jsonl").read_bytes() == before
 
 
 def test_two_batches_do_not_write_one_manifest():

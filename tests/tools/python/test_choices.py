@@ -94,10 +94,10 @@ def test_views_of_a_path_are_a_number_views_or_points(knot):
         with pytest.raises(ValueError, match="views: expected "):
             rimline.camera_path(knot, wrong)
     for wrong in (eyes[:2].T, [(1, 2), (3, 4)]):
-        with pytest.raises(ValueError, match=r"eyes: expected the shape \(N, 3\), not \(\d, 2\)"):
+        with pytest.raises(ValueError, match=r"views: expected the shape \(N, 3\), not \(\d, 2\)"):
             rimline.camera_path(knot, wrong)
     for wrong in ([(1, 2, 3), (3, 4)], ["view", "view"]):
-        with pytest.raises((TypeError, ValueError), match="eyes: "):
+        with pytest.raises((TypeError, ValueError), match="views: "):
             rimline.camera_path(knot, wrong)
 
 
