@@ -45,11 +45,12 @@ public:
                    "Edges that bend by at least this angle in degrees are hard (default: those "
                    "that bend by 30 and stand out)")
             ->needs(edges);
-        app.add_option("--normals", normals_,
-                       "Normals of silhouette edges: bytes, as CesiumJS needs them, or floats, "
-                       "which are exact")
-            ->check(CLI::IsMember({"bytes", "floats"}))
-            ->capture_default_str();
+        normals_option_ =
+            app.add_option("--normals", normals_,
+                           "Normals of silhouette edges: bytes, as CesiumJS needs them, or floats, "
+                           "which are exact")
+                ->check(CLI::IsMember({"bytes", "floats"}))
+                ->capture_default_str();
         add_up_or_auto(app, up_, is_up_auto_);
         app.footer(
             "In the file y is up, as glTF wants it: a model that stands along another axis is "
@@ -76,6 +77,8 @@ public:
         warn_of_losses(mesh);
         const std::vector<std::uint8_t> codes = std::move(source.edge_codes);
         source = {};
+        if (normals_option_->count() > 0 && !finds_edges_ && codes.empty())
+            throw UsageError("--normals: are those of silhouette edges: --edges finds them");
         std::vector<EdgeVisibility> edges;
         std::string bytes;
         about_model(model_.model, [&] {
@@ -147,6 +150,7 @@ private:
     std::string output_;
     bool finds_edges_ = false;
     std::optional<double> crease_degrees_;
+    const CLI::Option* normals_option_ = nullptr;
     std::string normals_ = "bytes";
     std::optional<glm::vec3> up_;
     bool is_up_auto_ = false;

@@ -15,6 +15,8 @@
 #include "silhouette/field/discounted_field.h"
 #include "silhouette/field/named_functions.h"
 #include "silhouette/field/tangential_field.h"
+#include "silhouette/field/unit_planes.h"
+#include "silhouette/mesh/winding.h"
 #include "tools/command.h"
 #include "tools/options/exact_text.h"
 #include "tools/options/model_argument.h"
@@ -115,7 +117,7 @@ public:
         check_has_planes(model_.model, mesh);
         std::optional<Progress> progress;
         progress.emplace(context, "grouping planes");
-        const UnitPlanes planes(mesh);
+        const UnitPlanes planes = outward_planes(mesh, context.stop);
         const NamedFunction& function = *find_named_function(function_);
         const TangentialField field(planes, function.function,
                                     {tolerance_, weight_ == "area" ? FieldOptions::Weight::area
@@ -134,6 +136,7 @@ public:
             {"planes", field.plane_count()},
             {"center", json_vector(field.frame().center)},
             {"radius", field.frame().radius},
+            {"inside_out", is_inside_out(mesh)},
             {"greatest_value", field.max_value()},
             {"error_bound", votes.error_bound()},
         };

@@ -95,12 +95,32 @@ std::optional<double> median_spacing(const PointCloud& cloud, const LongCall& ca
     return *middle;
 }
 
-void print_place(const Extent& extent) {
-    std::printf("  center      %.9g,%.9g,%.9g\n", extent.center.x, extent.center.y,
-                extent.center.z);
-    std::printf("  radius      %.9g\n", extent.radius);
-    std::printf("  bounds      %s to %s\n", vector_text(glm::vec3(extent.low)).c_str(),
-                vector_text(glm::vec3(extent.high)).c_str());
+std::string place_text(const glm::dvec3& place, int digits) {
+    std::array<char, 96> text{};
+    std::snprintf(text.data(), text.size(), "%.*g,%.*g,%.*g", digits, place.x, digits, place.y,
+                  digits, place.z);
+    return text.data();
+}
+
+void print_place(const std::string& center, double radius, const std::string& low,
+                 const std::string& high) {
+    std::printf("  center      %s\n", center.c_str());
+    std::printf("  radius      %.9g\n", radius);
+    std::printf("  bounds      %s to %s\n", low.c_str(), high.c_str());
+}
+
+void print_mesh_place(const Extent& extent) {
+    print_place(place_text(extent.center, 9), extent.radius, vector_text(glm::vec3(extent.low)),
+                vector_text(glm::vec3(extent.high)));
+}
+
+// Surveys lie far from the origin of their coordinates; floats need no more than 9 digits.
+void print_cloud_place(const Extent& extent) {
+    const bool are_floats = glm::dvec3(glm::vec3(extent.low)) == extent.low &&
+                            glm::dvec3(glm::vec3(extent.high)) == extent.high;
+    const int digits = are_floats ? 9 : 12;
+    print_place(place_text(extent.center, digits), extent.radius, place_text(extent.low, digits),
+                place_text(extent.high, digits));
 }
 
 // What the file says of the edges of its mesh; nothing if it says nothing.
@@ -126,7 +146,7 @@ void print_summary(const std::string& model, const Mesh& mesh, const Extent& ext
     std::printf("  components  %u, %s, %s\n", mesh.component_count(),
                 mesh.is_closed() ? "closed" : "open",
                 mesh.is_oriented() ? "oriented" : "not oriented");
-    print_place(extent);
+    print_mesh_place(extent);
     const char* const why = up.source == ChosenUp::Source::mesh     ? "along which the model stands"
                             : up.source == ChosenUp::Source::format ? "by the file's format"
                                                                     : "assumed";
@@ -160,9 +180,10 @@ public:
     }
 
     ExitStatus run(const Context& context) override {
-        const MeshSource source = model_.load(context, FaceRequirement::faces_or_points);
+        std::optional<PointSource> points;
+        const MeshSource source = load(points, context);
         std::optional<CloudFacts> cloud;
-        if (source.triangles.empty()) cloud = cloud_facts(source, context);
+        if (points) cloud = cloud_facts(std::move(*points), context);
         const Mesh mesh = make_mesh(model_.model, source, context);
         const Extent extent = cloud ? cloud->extent : extent_of(mesh);
         const std::optional<EdgeVisibilityCounts> drawn = edge_classes(source, mesh);
@@ -218,16 +239,26 @@ public:
     }
 
 private:
-    CloudFacts cloud_facts(const MeshSource& source, const Context& context) const {
-        PointSource points;
-        // What a mesh leaves out is only in the file itself, which standard input no longer is.
-        if (model_.model == k_standard_input)
-            points = points_of(source);
-        else
-            points = follow_progress(context, [&](const BeginCall& begin) {
-                return read_point_file(model_.model, BadPoints::refuse,
-                                       begin("reading " + model_.model));
-            });
+    // `points`: of a model without faces, whose mesh leaves out much of a cloud.
+    MeshSource load(std::optional<PointSource>& points, const Context& context) const {
+        if (model_.model != k_standard_input) {
+            MeshSource source = model_.load(context, FaceRequirement::faces_or_points);
+            if (source.triangles.empty())
+                points = follow_progress(context, [&](const BeginCall& begin) {
+                    return read_point_file(model_.model, BadPoints::refuse,
+                                           begin("reading " + model_.model));
+                });
+            return source;
+        }
+        return follow_progress(context, [&](const BeginCall& begin) {
+            MeshOrCloud either =
+                read_either_from_standard_input(model_.format, begin("reading standard input"));
+            points = std::move(either.cloud);
+            return subdivided(model_.model, std::move(either.mesh), model_.subdivide, begin);
+        });
+    }
+
+    CloudFacts cloud_facts(PointSource points, const Context& context) const {
         Progress progress(context, "measuring the distances of points");
         return about_model(model_.model, [&] {
             const PointCloud cloud(std::move(points));
@@ -256,7 +287,7 @@ private:
         if (cloud.spacing)
             std::printf("  spacing     %.9g, the median distance to the nearest point\n",
                         *cloud.spacing);
-        print_place(extent);
+        print_cloud_place(extent);
     }
 
     ModelArgument model_;

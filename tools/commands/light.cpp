@@ -100,6 +100,7 @@ private:
     }
 
     void print_toned(const Mesh& mesh, const Context& context) {
+        check_has_planes(model_.model, mesh);
         const PictureFrame seen = frame(mesh);
         const Clock::time_point start = Clock::now();
         Progress progress(context, "choosing a light");
@@ -137,6 +138,7 @@ private:
     }
 
     void print_voted(const Mesh& mesh, const Context& context) const {
+        check_has_planes(model_.model, mesh);
         const Clock::time_point start = Clock::now();
         Progress progress(context, "choosing a light");
         const std::optional<ChosenSun> sun = about_model(
@@ -155,7 +157,8 @@ private:
         }
         std::printf("%s\n", model_.model.c_str());
         print_direction(sun->direction);
-        std::printf("  score       %.1f, by %u faces that turn %s\n", sun->votes, sun->faces,
+        std::printf("  score       %.1f, by %u face%s %s\n", sun->votes, sun->faces,
+                    sun->faces == 1 ? " that turns" : "s that turn",
                     sun->sees_backs ? "their backs to the viewer" : "towards the viewer");
         std::printf("  time        %.1f ms\n", ms);
     }

@@ -210,11 +210,12 @@ private:
             votes.emplace_back();
         }
         if (!context.json) {
-            std::printf("%s: %zu origins in %.0f ms\n", model_.model.c_str(), origins.size(),
-                        search_ms);
+            std::printf("%s: %zu origin%s in %.0f ms\n", model_.model.c_str(), origins.size(),
+                        origins.size() == 1 ? "" : "s", search_ms);
             for (std::size_t i = 0; i < origins.size(); ++i)
-                std::printf("  %.9g,%.9g,%.9g  %u faces, %s\n", origins[i].x, origins[i].y,
+                std::printf("  %.9g,%.9g,%.9g  %u face%s, %s\n", origins[i].x, origins[i].y,
                             origins[i].z, trial.statistics.group_faces[i],
+                            trial.statistics.group_faces[i] == 1 ? "" : "s",
                             votes[i] ? share_text(*votes[i]).c_str() : "the center");
             if (count_option_->count() > 0 && origins.size() < count_)
                 std::printf("  no plane has votes left for more\n");

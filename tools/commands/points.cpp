@@ -132,6 +132,8 @@ public:
         const PointSurfaceOptions options = surface_.options();
         if (verify_ && turn_frames_ == 0) throw UsageError("--verify: belongs to --turn");
         if (turn_frames_ == 0) refuse_options(*app_, {"--step"}, "belongs to --turn");
+        if (turn_frames_ == 0 && output_.empty())
+            refuse_options(*app_, {"--up"}, "there is no picture; give -o FILE.png");
         if (without_lists_ && !context.json) throw UsageError("--no-lists: belongs to --json");
         if (output_.empty())
             refuse_options(*app_,

@@ -162,8 +162,8 @@ private:
 
     void print_summary(const Mesh& mesh, const ChosenViews& chosen, const RunTimes& times) const {
         if (output_option_->count() > 0)
-            std::printf("%s: %zu pictures and contact_sheet.png\n", output_.c_str(),
-                        chosen.best.views.size());
+            std::printf("%s: %zu picture%s and contact_sheet.png\n", output_.c_str(),
+                        chosen.best.views.size(), chosen.best.views.size() == 1 ? "" : "s");
         else
             std::printf("%s\n", model_.model.c_str());
         print_views(chosen);

@@ -47,7 +47,7 @@ void LineCameraOptions::add_to(CLI::App& app) {
         ->group(k_group);
     add_up_or_auto(app, up, is_up_auto)->group(k_group);
     CLI::Option* fov =
-        add_number(app, "--fov", fov_degrees, 1.0, 170.0,
+        add_number(app, "--fov", fov_degrees, 0.01, 170.0,
                    "Vertical field of view in degrees (default: 35). With --eye X,Y,Z, the "
                    "drawing ends at its borders; if not given, it shows the whole "
                    "model")

@@ -111,18 +111,20 @@ MeshSource load_model(const std::string& model, std::uint32_t subdivide,
     else
         source = read_model(model, format, requirement, begin);
     declare_inputs(source.files);
-    if (subdivide > 0 && source.triangles.empty())
-        throw Error(ErrorCode::bad_input, model + ": --subdivide: it has no faces");
     if (textures == TexturePictures::read && !source.materials.textures.empty())
         read_textures(source, begin("reading the textures of " + model));
-    if (subdivide > 0) {
-        const LongCall call = begin("subdividing " + model);
-        MeshSource refined =
-            about_model(model, [&] { return subdivide_loop(source, subdivide, call); });
-        refined.warnings = std::move(source.warnings);
-        source = std::move(refined);
-    }
-    return source;
+    return subdivided(model, std::move(source), subdivide, begin);
+}
+
+MeshSource subdivided(const std::string& model, MeshSource source, std::uint32_t steps,
+                      const BeginCall& begin) {
+    if (steps == 0) return source;
+    if (source.triangles.empty())
+        throw Error(ErrorCode::bad_input, model + ": --subdivide: it has no faces");
+    const LongCall call = begin("subdividing " + model);
+    MeshSource refined = about_model(model, [&] { return subdivide_loop(source, steps, call); });
+    refined.warnings = std::move(source.warnings);
+    return refined;
 }
 
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,

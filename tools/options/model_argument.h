@@ -45,6 +45,10 @@ MeshSource load_model(const std::string& model, std::uint32_t subdivide,
                       TexturePictures textures = TexturePictures::skip,
                       const std::string& format = {});
 
+/// The part of load_model() after reading. Throws Error{bad_input} for a cloud that is to be subdivided.
+MeshSource subdivided(const std::string& model, MeshSource source, std::uint32_t steps,
+                      const BeginCall& begin);
+
 /// For drawing: the same without double faces (double_faces.h); a warning says how many there were. The model must have
 /// faces.
 MeshSource load_drawn_model(const std::string& model, std::uint32_t subdivide,

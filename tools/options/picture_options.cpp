@@ -20,7 +20,7 @@ void PictureOptions::add_lens_to(CLI::App& app) {
     add_up_or_auto(app, up, is_up_auto)->group(k_group);
     CLI::Option* fov =
         add_number(
-            app, "--fov", fov_degrees, 1.0, 170.0,
+            app, "--fov", fov_degrees, 0.01, 170.0,
             "Vertical field of view in degrees (default: 35; with --eye alone, what shows the "
             "whole model)")
             ->group(k_group);

@@ -33,6 +33,11 @@ std::string bytes_of_standard_input(const LongCall& call) {
     return bytes;
 }
 
+void check_has_format(const std::string& format) {
+    if (format.empty())
+        throw UsageError("MODEL: standard input needs --format ply, obj, stl, off or glb");
+}
+
 }  // namespace
 
 void check_format_is_of_input(const std::string& model, const std::string& format) {
@@ -43,10 +48,21 @@ void check_format_is_of_input(const std::string& model, const std::string& forma
 
 MeshSource read_standard_input(const std::string& format, FaceRequirement requirement,
                                const LongCall& call) {
-    if (format.empty())
-        throw UsageError("MODEL: standard input needs --format ply, obj, stl, off or glb");
+    check_has_format(format);
     return read_mesh_bytes(k_input_name, bytes_of_standard_input(call), "." + format, requirement,
                            call);
+}
+
+MeshOrCloud read_either_from_standard_input(const std::string& format, const LongCall& call) {
+    check_has_format(format);
+    std::string bytes = bytes_of_standard_input(call);
+    MeshOrCloud either{.mesh = read_mesh_bytes(k_input_name, bytes, "." + format,
+                                               FaceRequirement::faces_or_points, call),
+                       .cloud = {}};
+    if (either.mesh.triangles.empty())
+        either.cloud =
+            read_point_bytes(k_input_name, std::move(bytes), "." + format, BadPoints::refuse, call);
+    return either;
 }
 
 PointSource read_cloud_from_standard_input(const std::string& format, BadPoints bad,

@@ -2,6 +2,7 @@
 
 // A model from standard input: the name `-`, and --format, because there is no name that tells the format.
 
+#include <optional>
 #include <string>
 
 #include "silhouette/mesh/formats/mesh_file.h"
@@ -23,5 +24,12 @@ PointSource read_cloud_from_standard_input(const std::string& format, BadPoints 
 /// Error as read_mesh_bytes(). `format` is ply, obj, stl, off, glb, or of clouds xyz or pts.
 MeshSource read_standard_input(const std::string& format, FaceRequirement requirement,
                                const LongCall& call);
+
+/// Both, for a command that takes either: the cloud only where there are no faces.
+struct MeshOrCloud {
+    MeshSource mesh;
+    std::optional<PointSource> cloud;
+};
+MeshOrCloud read_either_from_standard_input(const std::string& format, const LongCall& call);
 
 }  // namespace rimline::tools

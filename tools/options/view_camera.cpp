@@ -8,7 +8,7 @@
 namespace rimline::tools {
 
 double field_of_view_deg(const FittedLens& lens) {
-    constexpr double k_min_fov_deg = 1.0;  // Of --fov.
+    constexpr double k_min_fov_deg = 0.01;  // Of --fov.
     return std::max(2.0 * glm::degrees(std::atan(lens.tangent)), k_min_fov_deg);
 }
 

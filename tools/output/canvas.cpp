@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <unordered_map>
 #include <vector>
 
 #pragma GCC diagnostic push
@@ -66,8 +67,12 @@ void Canvas::disc(double x, double y, double radius, Color color) {
 
 void Canvas::line(const glm::dvec2& from, const glm::dvec2& to, double width, Color color,
                   double opacity) {
-    const glm::dvec2 along = to - from;
-    const double squared = glm::dot(along, along);
+    const std::array<glm::dvec2, 2> segment{from, to};
+    lines({&segment, 1}, width, color, opacity);
+}
+
+void Canvas::lines(std::span<const std::array<glm::dvec2, 2>> segments, double width, Color color,
+                   double opacity) {
     const double reach = 0.5 * width + 0.5;
     const auto first = [&](double a, double b) {
         return static_cast<int>(std::floor(std::max(0.0, std::min(a, b) - reach)));
@@ -75,14 +80,28 @@ void Canvas::line(const glm::dvec2& from, const glm::dvec2& to, double width, Co
     const auto last = [&](double a, double b, int size) {
         return static_cast<int>(std::min(size - 1.0, std::max(a, b) + reach));
     };
-    for (int y = first(from.y, to.y); y <= last(from.y, to.y, height()); ++y)
-        for (int x = first(from.x, to.x); x <= last(from.x, to.x, this->width()); ++x) {
-            const glm::dvec2 p = glm::dvec2(x + 0.5, y + 0.5) - from;
-            const double at =
-                squared > 0.0 ? std::clamp(glm::dot(p, along) / squared, 0.0, 1.0) : 0.0;
-            const double covered = std::clamp(reach - glm::distance(p, at * along), 0.0, 1.0);
-            blend(x, y, color, opacity * covered * std::min(1.0, width));
-        }
+    const auto number = [&](int x, int y) {
+        return static_cast<std::size_t>(y) * picture_.width + static_cast<std::size_t>(x);
+    };
+    // How much of each pixel is covered; where segments meet, by that which covers most.
+    std::unordered_map<std::size_t, double> covered;
+    for (const auto& [from, to] : segments) {
+        const glm::dvec2 along = to - from;
+        const double squared = glm::dot(along, along);
+        for (int y = first(from.y, to.y); y <= last(from.y, to.y, height()); ++y)
+            for (int x = first(from.x, to.x); x <= last(from.x, to.x, this->width()); ++x) {
+                const glm::dvec2 p = glm::dvec2(x + 0.5, y + 0.5) - from;
+                const double at =
+                    squared > 0.0 ? std::clamp(glm::dot(p, along) / squared, 0.0, 1.0) : 0.0;
+                const double share = std::min(reach - glm::distance(p, at * along), 1.0);
+                if (share <= 0.0) continue;
+                double& greatest = covered[number(x, y)];
+                greatest = std::max(greatest, share);
+            }
+    }
+    for (const auto& [pixel, share] : covered)
+        blend(static_cast<int>(pixel % picture_.width), static_cast<int>(pixel / picture_.width),
+              color, opacity * share * std::min(1.0, width));
 }
 
 void Canvas::blend(int x, int y, Color color, double opacity) {

@@ -2,8 +2,10 @@
 
 // A picture for plots, drawn on the CPU: rectangles, discs, lines and text.
 
+#include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <span>
 #include <string>
 
 #include "silhouette/picture.h"
@@ -26,6 +28,9 @@ public:
     /// With round ends and smooth edges. `opacity` is in [0, 1].
     void line(const glm::dvec2& from, const glm::dvec2& to, double width, Color color,
               double opacity = 1.0);
+    /// The same of many, as one: where they meet, none covers the other.
+    void lines(std::span<const std::array<glm::dvec2, 2>> segments, double width, Color color,
+               double opacity = 1.0);
     /// One line of ASCII. A dot of the font is `scale` pixels wide.
     void write(int left, int top, const std::string& text, Color color, int scale);
     static int text_width(const std::string& text, int scale);

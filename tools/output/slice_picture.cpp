@@ -232,9 +232,8 @@ private:
     // Lines are dark, and so are low values.
     void draw_with_halo(std::span<const std::array<glm::dvec2, 2>> segments, double width,
                         double opacity) {
-        for (const auto& [from, to] : segments)
-            canvas_.line(from, to, width + 1.5 * layout_.scale, k_slice_paper, 0.25);
-        for (const auto& [from, to] : segments) canvas_.line(from, to, width, k_slice_ink, opacity);
+        canvas_.lines(segments, width + 1.5 * layout_.scale, k_slice_paper, 0.25);
+        canvas_.lines(segments, width, k_slice_ink, opacity);
     }
 
     void draw_mark(const glm::dvec2& at) {

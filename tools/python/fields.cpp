@@ -15,6 +15,7 @@
 #include "silhouette/field/named_functions.h"
 #include "silhouette/field/sun_choice.h"
 #include "silhouette/field/tangential_field.h"
+#include "silhouette/field/unit_planes.h"
 #include "tools/bindings/bound_renderer.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/placed_model.h"
@@ -74,7 +75,7 @@ public:
                                                  : FieldOptions::Weight::count};
         const Mesh& library_mesh = shared->mesh();
         run_long(progress, [&](const LongCall& call) {
-            field_ = std::make_unique<TangentialField>(UnitPlanes(library_mesh, call.stop),
+            field_ = std::make_unique<TangentialField>(outward_planes(library_mesh, call.stop),
                                                        named->function, options, call.stop);
         });
     }

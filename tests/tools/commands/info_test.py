@@ -63,7 +63,15 @@ def test_info_tells_what_a_cloud_is():
         assert "a cloud" in text and "rimline points" in text and "each has    normals, colors" in text, text
         with open(path) as file:
             piped = run("info", "-", "--format", "ply", input=file.read())
-        assert piped.returncode == 0 and "6 in the file, 1 of them repeated" in piped.stdout, piped
+        assert piped.returncode == 0 and piped.stdout.splitlines()[1:] == text.splitlines()[1:], piped
+        far = os.path.join(folder, "far.xyz")
+        with open(far, "w") as file:
+            file.write("999999.243 2000000.265 5\n999999.244 2000000.266 5\n")
+        text = run("info", far).stdout
+        assert "0 of them repeated" in text and "bounds      999999.243,2000000.265,5 to 999999.244,2000000.266,5" in text, text
+        with open(far) as file:
+            piped = run("info", "-", "--format", "xyz", input=file.read())
+        assert piped.stdout.splitlines()[1:] == text.splitlines()[1:], piped
     box = succeed("info", "shape:box")
     assert box["cloud"] is None and (box["up"], box["up_from"]) == ([0, 1, 0], "format")
     assert "  up          y, by the file's format\n" in run("info", "shape:box").stdout

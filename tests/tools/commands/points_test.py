@@ -329,7 +329,7 @@ def test_points_refuse_options_without_an_effect():
         assert "--subdivide: it has no faces" in fail(1, "points", cloud, "--subdivide", "1")
         assert "--subdivide: it has no faces" in fail(1, "info", cloud, "--subdivide", "1")
         for options in (["--target", "0,0,0"], ["--fov", "20"], ["--mode", "compare"], ["--look", "dots"], ["--size", "9x9"],
-                        ["--background", "red"], ["--device", "cpu"], ["--validate"]):
+                        ["--background", "red"], ["--device", "cpu"], ["--validate"], ["--up", "z"]):
             assert options[0] + ": there is no picture" in fail(2, "points", cloud, *options), options
         assert "--step: belongs to --turn" in fail(2, "points", cloud, "--step", "3")
         assert "--no-lists: belongs to --json" in fail(2, "points", cloud, "--no-lists")
