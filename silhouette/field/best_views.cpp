@@ -84,10 +84,10 @@ double view_preference(const glm::dvec3& direction, const glm::dvec3& up) {
            (1.0 - (1.0 - k_least_behind) * 0.5 * (1.0 - likeness));
 }
 
-double area_preference(double front_share) {
+double area_preference(double front_share, std::size_t chosen) {
     constexpr double k_enough = 0.8;
     const double share = std::min(front_share / k_enough, 1.0);
-    return (share * share) * (share * share);
+    return chosen > 0 ? share * share : (share * share) * (share * share);
 }
 
 std::optional<int> symmetry_axis(const Mesh& mesh) {
@@ -112,23 +112,24 @@ BestViews find_best_views(const TangentialField& field, const BestViewsOptions& 
     interest.steady = options.for_people;
     std::optional<FrontArea> front;
     if (options.mesh) front.emplace(*options.mesh, call.stop);
-    const auto preference = [&](const glm::dvec3& point) {
+    const auto preference = [&](const glm::dvec3& point, std::size_t chosen) {
         return (options.up ? view_preference(point, *options.up) : 1.0) *
-               (front ? area_preference(front->share(point)) : 1.0);
+               (front ? area_preference(front->share(point), chosen) : 1.0);
     };
     const bool prefers = options.up || front;
     // Where a view is drawn, its preference is known before.
     if (options.visible_ratios && prefers)
-        interest.bound = [&](std::span<const glm::dvec3> points) {
+        interest.bound = [&](std::span<const glm::dvec3> points, std::size_t chosen) {
             std::vector<double> bounds;
-            for (const glm::dvec3& point : points) bounds.push_back(preference(point));
+            for (const glm::dvec3& point : points) bounds.push_back(preference(point, chosen));
             return bounds;
         };
     if (options.visible_ratios || prefers || options.for_people)
-        interest.weigh = [&](std::span<const glm::dvec3> points) {
+        interest.weigh = [&](std::span<const glm::dvec3> points, std::size_t chosen) {
             std::vector<double> weights(points.size(), 1.0);
             if (options.visible_ratios) weights = drawn(points);
-            for (std::size_t i = 0; i < points.size(); ++i) weights[i] *= preference(points[i]);
+            for (std::size_t i = 0; i < points.size(); ++i)
+                weights[i] *= preference(points[i], chosen);
             return weights;
         };
     interest.mirror_axis = options.mirror_axis;
@@ -148,7 +149,7 @@ BestViews find_best_views(const TangentialField& field, const BestViewsOptions& 
                                 .visible_ratio = options.visible_ratios
                                                      ? drawn(std::span(&point.point, 1)).front()
                                                      : 1.0,
-                                .preference = preference(point.point)});
+                                .preference = preference(point.point, result.views.size())});
     return result;
 }
 

@@ -446,7 +446,7 @@ private:
         if (!options_.weigh || !options_.bound) return scores;
         std::vector<glm::dvec3> points;
         for (const Sample& candidate : candidates) points.push_back(candidate.point);
-        const std::vector<double> bounds = options_.bound(points);
+        const std::vector<double> bounds = options_.bound(points, result_.points.size());
         RIMLINE_CHECK(bounds.size() == points.size());
         for (std::size_t i = 0; i < scores.size(); ++i) scores[i] *= bounds[i];
         return scores;
@@ -458,7 +458,7 @@ private:
         while (weights.size() < points.size()) {
             const std::span<const glm::dvec3> left = points.subspan(weights.size());
             const auto batch = left.first(std::min<std::size_t>(left.size(), options_.weigh_batch));
-            const std::vector<double> some = options_.weigh(batch);
+            const std::vector<double> some = options_.weigh(batch, result_.points.size());
             RIMLINE_CHECK(some.size() == batch.size());
             weights.insert(weights.end(), some.begin(), some.end());
         }

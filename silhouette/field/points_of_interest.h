@@ -61,9 +61,10 @@ struct PointOfInterest {
     double score() const noexcept { return votes * weight; }
 };
 
-/// Returns the weights of points, or bounds of them, each in [0, 1], in their order. Receives many points at
-/// once, so that they can be rendered together.
-using Weigh = std::function<std::vector<double>(std::span<const glm::dvec3>)>;
+/// Returns the weights of points, or bounds of them, each in [0, 1], in their order, for a choice after `chosen` others.
+/// Receives many points at once, so that they can be rendered together.
+using Weigh =
+    std::function<std::vector<double>(std::span<const glm::dvec3> points, std::size_t chosen)>;
 
 struct InterestOptions {
     std::uint32_t count = 1;          ///< Number of points.

@@ -116,7 +116,7 @@ TEST_CASE("weighing lazily finds what weighing all finds with fewer weighed" *
         options.count = 4;
         options.steady = steady;
         std::size_t greatest_batch = 0;
-        options.weigh = [&](std::span<const glm::dvec3> points) {
+        options.weigh = [&](std::span<const glm::dvec3> points, std::size_t) {
             greatest_batch = std::max(greatest_batch, points.size());
             return made_up_ratios(points);
         };
@@ -159,7 +159,7 @@ TEST_CASE("points end where no plane has votes left") {
     REQUIRE(found.points.size() == 1);
     CHECK(found.points[0].votes == doctest::Approx(1.0));
 
-    options.weigh = [](std::span<const glm::dvec3> points) {
+    options.weigh = [](std::span<const glm::dvec3> points, std::size_t) {
         return std::vector<double>(points.size(), 0.0);
     };
     CHECK(find_points_of_interest(field, k_ball, options).points.empty());
