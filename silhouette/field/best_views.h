@@ -91,8 +91,8 @@ double view_preference(const glm::dvec3& direction, const glm::dvec3& up);
 
 /// Of how much of the area a viewpoint shows, as a share of the most (front_area.h): 1 from 0.8 on, below it
 /// (share / 0.8)^4. One face of a box is a third, two are two thirds. Chosen on boxes, cylinders and our models, of
-/// whose first views one has less than 0.8 without it, rocker-arm with 0.76. After `chosen` other views, its
-/// square: what they have not shown may be small. On rocker-arm two views so show 84% of the area, and 57% with the power.
+/// whose first views one has less than 0.8 without it, rocker-arm with 0.76. After `chosen` other views it is
+/// (share / 0.8)^2: what they have not shown may be small. Two views of rocker-arm so show 84% of its area, not 57%.
 double area_preference(double front_share, std::size_t chosen = 0);
 
 /// The axis across which alone the mesh is symmetric, but for three tenths of its area. O(faces).
