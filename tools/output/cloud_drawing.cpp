@@ -1,5 +1,6 @@
 #include "tools/output/cloud_drawing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
@@ -8,16 +9,25 @@
 #include "engine/clouds/disc_radii.h"
 #include "silhouette/mesh/any_perpendicular.h"
 #include "silhouette/points/border_edges.h"
+#include "silhouette/srgb.h"
 #include "tools/output/label_output.h"
 
 namespace rimline::tools {
 
 namespace {
 
-constexpr PointColor k_feature{44, 62, 112};
-// Dots, without and with a feature. Without colors of their own they must stand out from the paper.
-constexpr PointColor k_dot{150, 150, 152};
-constexpr PointColor k_feature_dot{24, 38, 96};
+constexpr CloudColors k_on_pale_paper{.ink = {24, 24, 28},
+                                      .clay = {222, 219, 211},
+                                      .feature = {44, 62, 112},
+                                      .dot = {150, 150, 152},
+                                      .feature_dot = {24, 38, 96},
+                                      .crease = {40, 80, 180}};
+constexpr CloudColors k_on_dark_paper{.ink = {238, 236, 230},
+                                      .clay = {112, 113, 118},
+                                      .feature = {20, 30, 62},
+                                      .dot = {118, 118, 122},
+                                      .feature_dot = {166, 186, 255},
+                                      .crease = {112, 152, 255}};
 // The width of a dot, in widths of lines.
 constexpr float k_dot_width = 1.6f;
 // Dots are moved towards the camera by this many radii of their discs: between lines, which are before them,
@@ -34,7 +44,26 @@ PointColor mixed(const PointColor& a, const PointColor& b, float share) {
     return color;
 }
 
+glm::vec3 linear_of_bytes(const PointColor& color) {
+    return rimline::linear_from_srgb(glm::vec3(color[0], color[1], color[2]) / 255.0f);
+}
+
+// The ratio of the brighter luminance to the darker one, as WCAG 2 defines it. Both are linear.
+float contrast(const glm::vec3& a, const glm::vec3& b) {
+    constexpr glm::vec3 k_luminance(0.2126f, 0.7152f, 0.0722f);
+    const float ratio = (0.05f + glm::dot(a, k_luminance)) / (0.05f + glm::dot(b, k_luminance));
+    return std::max(ratio, 1.0f / ratio);
+}
+
 }  // namespace
+
+const CloudColors& cloud_colors(const glm::vec3& paper) {
+    const auto stands_out = [&](const CloudColors& colors) {
+        return contrast(linear_of_bytes(colors.ink), paper);
+    };
+    return stands_out(k_on_dark_paper) > stands_out(k_on_pale_paper) ? k_on_dark_paper
+                                                                     : k_on_pale_paper;
+}
 
 std::uint32_t packed(const PointColor& color, bool is_shaded) {
     return color[0] | std::uint32_t{color[1]} << 8 | std::uint32_t{color[2]} << 16 |
@@ -88,8 +117,8 @@ void CloudDrawing::add_extents() {
 
 double CloudDrawing::lift(std::uint32_t point) const { return k_lift * radii_[point]; }
 
-PointColor CloudDrawing::own_color(std::uint32_t point) const {
-    return cloud_->colors().empty() ? k_cloud_clay : cloud_->colors()[point];
+PointColor CloudDrawing::own_color(std::uint32_t point, const PointColor& clay) const {
+    return cloud_->colors().empty() ? clay : cloud_->colors()[point];
 }
 
 gpu::SplatRecord CloudDrawing::disc(std::uint32_t point, const glm::dvec3& normal,
@@ -114,29 +143,32 @@ void CloudDrawing::add_discs(std::uint32_t point, const PointColor& color,
 
 SplatCloud CloudDrawing::drawn(const PointColor& paper, const std::optional<PointColor>& clay,
                                float line_width_px) const {
-    SplatCloud drawn = look_ == CloudLook::dots ? dots(paper, clay, line_width_px) : discs(clay);
+    const CloudColors& colors = cloud_colors(linear_of_bytes(paper));
+    SplatCloud drawn =
+        look_ == CloudLook::dots ? dots(paper, colors, clay, line_width_px) : discs(colors, clay);
     const std::vector<gpu::StrokeRecord> borders =
         strokes(border_edges(*surface_), label_color(PointLabel::border), line_width_px);
     drawn.strokes.insert(drawn.strokes.end(), borders.begin(), borders.end());
     return drawn;
 }
 
-SplatCloud CloudDrawing::discs(const std::optional<PointColor>& clay) const {
+SplatCloud CloudDrawing::discs(const CloudColors& colors,
+                               const std::optional<PointColor>& clay) const {
     SplatCloud drawn;
     drawn.splats.reserve(surface_->size());
     for (std::uint32_t p = 0; p < surface_->size(); ++p) {
         const PointLabel label = surface_->label(PointId{p});
-        const PointColor own = clay.value_or(own_color(p));
+        const PointColor own = clay.value_or(own_color(p, colors.clay));
         add_discs(p,
                   label == PointLabel::undecided ? label_color(label)
-                                                 : mixed(own, k_feature, weights_[p]),
+                                                 : mixed(own, colors.feature, weights_[p]),
                   drawn.splats);
     }
     return drawn;
 }
 
-SplatCloud CloudDrawing::dots(const PointColor& paper, const std::optional<PointColor>& clay,
-                              float line_width_px) const {
+SplatCloud CloudDrawing::dots(const PointColor& paper, const CloudColors& colors,
+                              const std::optional<PointColor>& clay, float line_width_px) const {
     SplatCloud drawn;
     for (std::uint32_t p = 0; p < surface_->size(); ++p) {
         add_discs(p, paper, drawn.splats);
@@ -146,20 +178,20 @@ SplatCloud CloudDrawing::dots(const PointColor& paper, const std::optional<Point
         drawn.strokes.push_back({.from = glm::vec3(position(p)),
                                  .radius = 0.5f * k_dot_width * line_width_px,
                                  .to = glm::vec3(position(p)),
-                                 .color = packed(dot_color(p, clay)),
+                                 .color = packed(dot_color(p, colors, clay)),
                                  .lifts = glm::vec2(dot_lift, dot_lift)});
     }
     for (gpu::SplatRecord& splat : drawn.splats) splat.color = packed(paper, false);
     return drawn;
 }
 
-PointColor CloudDrawing::dot_color(std::uint32_t point,
+PointColor CloudDrawing::dot_color(std::uint32_t point, const CloudColors& colors,
                                    const std::optional<PointColor>& clay) const {
     const PointLabel label = surface_->label(PointId{point});
     if (label == PointLabel::undecided || label == PointLabel::border) return label_color(label);
-    if (clay) return mixed(*clay, k_feature_dot, weights_[point]);
-    if (!cloud_->colors().empty()) return own_color(point);
-    return mixed(k_dot, k_feature_dot, weights_[point]);
+    if (clay) return mixed(*clay, colors.feature_dot, weights_[point]);
+    if (!cloud_->colors().empty()) return cloud_->colors()[point];
+    return mixed(colors.dot, colors.feature_dot, weights_[point]);
 }
 
 std::vector<gpu::StrokeRecord> CloudDrawing::strokes(std::span<const PointEdge> edges,

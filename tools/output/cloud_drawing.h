@@ -23,10 +23,20 @@ namespace rimline::tools {
 
 /// Default width of lines.
 constexpr float k_cloud_line_width_px = 2.5f;
-constexpr PointColor k_cloud_ink{24, 24, 28};
-/// Color of points without their own color.
-constexpr PointColor k_cloud_clay{222, 219, 211};
 constexpr Color k_cloud_paper{248, 244, 236};
+
+/// Colors that stand out from the paper.
+struct CloudColors {
+    PointColor ink;
+    PointColor clay;     ///< Of discs without their own color.
+    PointColor feature;  ///< Of discs whose feature weight is 1.
+    PointColor dot;      ///< Of dots without their own color.
+    PointColor feature_dot;
+    PointColor crease;  ///< Of lines.
+};
+/// Dark ink on pale paper and pale ink on dark paper: the one with the higher contrast. Discs are as pale or dark as
+/// the paper, because ink is drawn on them too. `paper` is linear.
+const CloudColors& cloud_colors(const glm::vec3& paper);
 
 /// The color of a disc or a line as in its GPU record. `is_shaded`: the disc is lit from the camera.
 std::uint32_t packed(const PointColor& color, bool is_shaded = false);
@@ -62,7 +72,8 @@ public:
     double radius(std::uint32_t point) const { return radii_[point]; }
     /// Distance by which the end of a line is moved towards the camera.
     double lift(std::uint32_t point) const;
-    PointColor own_color(std::uint32_t point) const;
+    /// The color of the file, or `clay` if it has none.
+    PointColor own_color(std::uint32_t point, const PointColor& clay) const;
     gpu::SplatRecord disc(std::uint32_t point, const glm::dvec3& normal, const PointColor& color,
                           bool is_shaded = true) const;
     /// One disc for each surface sheet that meets in the point. Discs are cut along their intersection.
@@ -71,10 +82,11 @@ public:
 
 private:
     void add_extents();
-    PointColor dot_color(std::uint32_t point, const std::optional<PointColor>& clay) const;
-    SplatCloud discs(const std::optional<PointColor>& clay) const;
-    SplatCloud dots(const PointColor& paper, const std::optional<PointColor>& clay,
-                    float line_width_px) const;
+    PointColor dot_color(std::uint32_t point, const CloudColors& colors,
+                         const std::optional<PointColor>& clay) const;
+    SplatCloud discs(const CloudColors& colors, const std::optional<PointColor>& clay) const;
+    SplatCloud dots(const PointColor& paper, const CloudColors& colors,
+                    const std::optional<PointColor>& clay, float line_width_px) const;
 
     const PointCloud* cloud_;
     const PointSurface* surface_;

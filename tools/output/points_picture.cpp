@@ -30,10 +30,11 @@ public:
     explicit PointsDrawing(const PointsPicture& picture)
         : picture_(picture),
           drawing_(picture.cloud, picture.surface, picture.umbrellas, picture.weights,
-                   picture.look) {
+                   picture.look),
+          colors_(cloud_colors(linear_from_srgb(paper()))) {
         scene_.camera = make_cloud_camera(drawing_, picture.umbrellas, picture.name, picture.eye,
                                           picture.target, picture.options);
-        scene_.background = linear_from_srgb(picture.options.background.value_or(k_cloud_paper));
+        scene_.background = linear_from_srgb(paper());
         scene_.center = drawing_.subject().center;
         scene_.radius = drawing_.subject().radius;
         point_ = picture.silhouette_point.value_or(silhouette_point_of(scene_.camera));
@@ -59,16 +60,15 @@ public:
             cloud.strokes.insert(cloud.strokes.end(), lines.begin(), lines.end());
         };
         // Of lines on one edge the first is seen.
-        add(consensus_, k_cloud_ink);
-        add(crease_edges(picture_.surface), label_color(PointLabel::feature));
+        add(consensus_, colors_.ink);
+        add(crease_edges(picture_.surface), colors_.crease);
         add(border_edges(picture_.surface), label_color(PointLabel::border));
         return cloud;
     }
 
     SplatCloud drawn() const {
-        SplatCloud cloud =
-            drawing_.drawn(bytes_of(picture_.options.background.value_or(k_cloud_paper)));
-        const std::vector<gpu::StrokeRecord> ink = drawing_.strokes(consensus_, k_cloud_ink);
+        SplatCloud cloud = drawing_.drawn(bytes_of(paper()));
+        const std::vector<gpu::StrokeRecord> ink = drawing_.strokes(consensus_, colors_.ink);
         cloud.strokes.insert(cloud.strokes.end(), ink.begin(), ink.end());
         return cloud;
     }
@@ -81,17 +81,20 @@ public:
     }
 
 private:
+    Color paper() const { return picture_.options.background.value_or(k_cloud_paper); }
+
     SplatCloud with_normals(std::span<const glm::dvec3> normals) const {
         SplatCloud cloud;
         for (std::uint32_t p = 0; p < picture_.surface.size(); ++p)
-            cloud.splats.push_back(drawing_.disc(p, normals[p], drawing_.own_color(p)));
+            cloud.splats.push_back(
+                drawing_.disc(p, normals[p], drawing_.own_color(p, colors_.clay)));
         return cloud;
     }
 
     SplatCloud with_umbrellas() const {
         SplatCloud cloud;
         for (std::uint32_t p = 0; p < picture_.surface.size(); ++p)
-            drawing_.add_discs(p, drawing_.own_color(p), cloud.splats);
+            drawing_.add_discs(p, drawing_.own_color(p, colors_.clay), cloud.splats);
         return cloud;
     }
 
@@ -102,7 +105,7 @@ private:
         for (std::uint32_t p = 0; p < picture_.surface.size(); ++p)
             positions.push_back(drawing_.position(p));
         for (const std::uint32_t p : visible_points(positions, scene_.camera.eye)) {
-            cloud.splats.push_back(drawing_.disc(p, glm::dvec3(0.0), k_cloud_ink, false));
+            cloud.splats.push_back(drawing_.disc(p, glm::dvec3(0.0), colors_.ink, false));
             cloud.splats.back().radius *= k_dot_radius;
         }
         return cloud;
@@ -112,7 +115,7 @@ private:
         SplatCloud cloud = with_umbrellas();
         for (const PointId point : points) {
             const std::uint32_t p = index(point);
-            gpu::SplatRecord dot = drawing_.disc(p, glm::dvec3(0.0), k_cloud_ink, false);
+            gpu::SplatRecord dot = drawing_.disc(p, glm::dvec3(0.0), colors_.ink, false);
             dot.radius *= k_mark_radius;
             dot.position = glm::vec3(lifted(p));
             cloud.splats.push_back(dot);
@@ -152,6 +155,7 @@ private:
 
     const PointsPicture& picture_;
     CloudDrawing drawing_;
+    const CloudColors& colors_;
     SplatScene scene_;  // Without points.
     HomogeneousPoint point_{};
     std::vector<PointId> silhouette_;

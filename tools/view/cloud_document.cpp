@@ -52,7 +52,8 @@ const SplatCloud& CloudDocument::splats(const glm::vec3& paper,
 }
 
 std::vector<gpu::StrokeRecord> CloudDocument::silhouette_strokes(
-    const HomogeneousPoint& point, const std::optional<glm::vec3>& ink, float line_width_px) {
+    const HomogeneousPoint& point, const glm::vec3& paper, const std::optional<glm::vec3>& ink,
+    float line_width_px) {
     if (!silhouette_ || silhouette_->point() != point) {
         const auto start = std::chrono::steady_clock::now();
         report_ = {};
@@ -70,8 +71,8 @@ std::vector<gpu::StrokeRecord> CloudDocument::silhouette_strokes(
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
                 .count();
     }
-    return drawing_.strokes(silhouette_->consensus(), ink ? srgb_bytes(*ink) : k_cloud_ink,
-                            line_width_px);
+    return drawing_.strokes(silhouette_->consensus(),
+                            ink ? srgb_bytes(*ink) : cloud_colors(paper).ink, line_width_px);
 }
 
 }  // namespace rimline::tools

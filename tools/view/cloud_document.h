@@ -43,8 +43,10 @@ public:
     /// O(points).
     const SplatCloud& splats(const glm::vec3& paper, const std::optional<glm::vec3>& color,
                              float line_width_px);
-    /// Moves the silhouette to `point`. Returns its consensus edges as lines; `ink` is linear.
+    /// Moves the silhouette to `point`. Returns its consensus edges as lines. Colors are linear; without `ink` it
+    /// stands out from `paper`.
     std::vector<gpu::StrokeRecord> silhouette_strokes(const HomogeneousPoint& point,
+                                                      const glm::vec3& paper,
                                                       const std::optional<glm::vec3>& ink,
                                                       float line_width_px);
     const CloudReport& report() const noexcept { return report_; }

@@ -335,13 +335,13 @@ void ViewPanel::draw_colors(ViewSession& session) {
         appearance.background = *paper;
     ImGui::SameLine();
     const glm::vec3 surface = session.is_cloud()
-                                  ? linear_of(k_cloud_clay)
+                                  ? linear_of(cloud_colors(appearance.background).clay)
                                   : default_surface_color(appearance.style, appearance.background);
     if (const auto color = chosen_color("surface", appearance.color.value_or(surface)))
         appearance.color = color;
     ImGui::SameLine();
     const glm::vec3 ink = session.is_cloud()
-                              ? linear_of(k_cloud_ink)
+                              ? linear_of(cloud_colors(appearance.background).ink)
                               : default_palette(appearance.style, appearance.background).ink;
     if (const auto color = chosen_color("ink", appearance.line_color.value_or(ink)))
         appearance.line_color = color;

@@ -392,8 +392,8 @@ SplatScene ViewSession::cloud_scene() const {
     const SceneBounds sphere = bounds();
     SplatScene scene{
         .cloud = &cloud.splats(appearance.background, appearance.color, appearance.line_width_px),
-        .strokes = cloud.silhouette_strokes(silhouette_point(), appearance.line_color,
-                                            appearance.line_width_px),
+        .strokes = cloud.silhouette_strokes(silhouette_point(), appearance.background,
+                                            appearance.line_color, appearance.line_width_px),
         .background = appearance.background,
         .camera = camera,
         .center = sphere.center,

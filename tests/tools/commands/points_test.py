@@ -280,6 +280,24 @@ def test_points_of_a_coarse_cloud_are_dots_and_of_a_dense_one_discs():
     fail(2, "points", "shape:torus:1000", "--as-points", "--look", "plates")
 
 
+def test_points_have_ink_that_stands_out_from_the_paper():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "points.png")
+
+        def pixels(*options):
+            assert run("points", "shape:torus:6000", "--as-points", "-o", output, "--size", "160x120", "--eye", "2,3,4",
+                       *options).returncode == 0
+            return [sum(pixel) / 3 for row in png_rows(output) for pixel in row]
+
+        for mode in ("drawn", "features", "compare"):
+            for look in ("discs", "dots"):
+                options = ("--mode", mode, "--look", look)
+                assert min(pixels(*options)) < 60, options
+                for paper in ("#181818", "#202060"):
+                    assert max(pixels(*options, "--background", paper)) > 225, (options, paper)
+
+
 def write_points(path, points):
     with open(path, "w") as file:
         file.writelines("%r %r %r\n" % tuple(p) for p in points)
