@@ -119,7 +119,7 @@ public:
             "row:\n"
             "points that a convex hull classifies as visible (Katz et al.), and the picture as "
             "drawn;\nas many silhouette points by thresholding normals (Zakaria, Seidel), and "
-            "ours; discs with\nnormals of principal components, and ours.\n\n"
+            "ours; discs with\nnormals of principal components, and ours: discs in either look.\n\n"
             "Examples:\n"
             "  rimline points scan.ply --eye 2,1,3 --json\n"
             "  rimline points bunny.obj --as-points --export labels.ply\n"

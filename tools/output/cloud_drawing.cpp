@@ -89,30 +89,43 @@ CloudDrawing::CloudDrawing(const PointCloud& cloud, const PointSurface& surface,
     add_extents();
 }
 
+// A point on no surface may lie far from all others: the picture does not go out to it.
+bool CloudDrawing::is_framed(std::uint32_t point) const {
+    return surface_->reason(PointId{point}) != UndecidedReason::outlier;
+}
+
 void CloudDrawing::add_extents() {
     for (std::uint32_t p = 0; p < surface_->size(); ++p) {
-        // A point on no surface may lie far from all others: the picture does not go out to it.
-        if (surface_->reason(PointId{p}) == UndecidedReason::outlier) continue;
-        if (look_ == CloudLook::dots) {
+        if (!is_framed(p)) continue;
+        if (look_ == CloudLook::dots)
             extents_.push_back(glm::vec3(position(p)));
-            continue;
-        }
-        max_radius_ = std::max(max_radius_, radii_[p]);
-        for (const DiscPiece& piece : disc_pieces(*surface_, PointId{p})) {
-            // A disc without a normal faces the camera, wherever that is.
-            const bool has_normal = piece.normal != glm::dvec3(0.0);
-            const glm::dvec3 u =
-                has_normal ? any_perpendicular(piece.normal) : glm::dvec3(1.0, 0.0, 0.0);
-            const glm::dvec3 v =
-                has_normal ? glm::cross(piece.normal, u) : glm::dvec3(0.0, 1.0, 0.0);
-            for (const double depth : has_normal ? std::vector{0.0} : std::vector{-1.0, 1.0})
-                for (const auto& [a, b] : {std::pair(-1, -1), {-1, 1}, {1, -1}, {1, 1}}) {
-                    const glm::dvec3 w(0.0, 0.0, depth);
-                    extents_.push_back(
-                        glm::vec3(position(p) + radii_[p] * (double(a) * u + double(b) * v + w)));
-                }
-        }
+        else
+            for (const DiscPiece& piece : disc_pieces(*surface_, PointId{p}))
+                add_extent(p, piece.normal);
     }
+}
+
+void CloudDrawing::include_discs(std::span<const glm::dvec3> normals) {
+    for (std::uint32_t p = 0; p < surface_->size(); ++p) {
+        if (!is_framed(p)) continue;
+        add_extent(p, normals[p]);
+        for (const DiscPiece& piece : disc_pieces(*surface_, PointId{p}))
+            add_extent(p, piece.normal);
+    }
+}
+
+void CloudDrawing::add_extent(std::uint32_t point, const glm::dvec3& normal) {
+    max_radius_ = std::max(max_radius_, radii_[point]);
+    // A disc without a normal faces the camera, wherever that is.
+    const bool has_normal = normal != glm::dvec3(0.0);
+    const glm::dvec3 u = has_normal ? any_perpendicular(normal) : glm::dvec3(1.0, 0.0, 0.0);
+    const glm::dvec3 v = has_normal ? glm::cross(normal, u) : glm::dvec3(0.0, 1.0, 0.0);
+    for (const double depth : has_normal ? std::vector{0.0} : std::vector{-1.0, 1.0})
+        for (const auto& [a, b] : {std::pair(-1, -1), {-1, 1}, {1, -1}, {1, 1}}) {
+            const glm::dvec3 w(0.0, 0.0, depth);
+            extents_.push_back(
+                glm::vec3(position(point) + radii_[point] * (double(a) * u + double(b) * v + w)));
+        }
 }
 
 double CloudDrawing::lift(std::uint32_t point) const { return k_lift * radii_[point]; }
@@ -152,6 +165,20 @@ SplatCloud CloudDrawing::drawn(const PointColor& paper, const std::optional<Poin
     return drawn;
 }
 
+SplatCloud CloudDrawing::plain(const PointColor& paper) const {
+    const CloudColors& colors = cloud_colors(linear_of_bytes(paper));
+    if (look_ == CloudLook::dots) {
+        SplatCloud drawn = paper_discs(paper);
+        for (std::uint32_t p = 0; p < surface_->size(); ++p)
+            drawn.strokes.push_back(dot(p, own_color(p, colors.dot), k_cloud_line_width_px));
+        return drawn;
+    }
+    SplatCloud drawn;
+    for (std::uint32_t p = 0; p < surface_->size(); ++p)
+        add_discs(p, own_color(p, colors.clay), drawn.splats);
+    return drawn;
+}
+
 SplatCloud CloudDrawing::discs(const CloudColors& colors,
                                const std::optional<PointColor>& clay) const {
     SplatCloud drawn;
@@ -169,20 +196,36 @@ SplatCloud CloudDrawing::discs(const CloudColors& colors,
 
 SplatCloud CloudDrawing::dots(const PointColor& paper, const CloudColors& colors,
                               const std::optional<PointColor>& clay, float line_width_px) const {
+    SplatCloud drawn = paper_discs(paper);
+    for (std::uint32_t p = 0; p < surface_->size(); ++p)
+        drawn.strokes.push_back(dot(p, dot_color(p, colors, clay), line_width_px));
+    return drawn;
+}
+
+SplatCloud CloudDrawing::paper_discs(const PointColor& paper) const {
     SplatCloud drawn;
-    for (std::uint32_t p = 0; p < surface_->size(); ++p) {
-        add_discs(p, paper, drawn.splats);
+    for (std::uint32_t p = 0; p < surface_->size(); ++p)
         // Discs of points without a surface hide nothing.
-        if (surface_->normal(PointId{p}) == glm::dvec3(0.0)) drawn.splats.pop_back();
-        const double dot_lift = k_dot_lift * radii_[p];
-        drawn.strokes.push_back({.from = glm::vec3(position(p)),
-                                 .radius = 0.5f * k_dot_width * line_width_px,
-                                 .to = glm::vec3(position(p)),
-                                 .color = packed(dot_color(p, colors, clay)),
-                                 .lifts = glm::vec2(dot_lift, dot_lift)});
-    }
+        if (surface_->normal(PointId{p}) != glm::dvec3(0.0)) add_discs(p, paper, drawn.splats);
     for (gpu::SplatRecord& splat : drawn.splats) splat.color = packed(paper, false);
     return drawn;
+}
+
+gpu::StrokeRecord CloudDrawing::dot(std::uint32_t point, const PointColor& color,
+                                    float line_width_px) const {
+    gpu::StrokeRecord record = mark(point, color, k_dot_width * line_width_px);
+    record.lifts = glm::vec2(glm::dvec2(k_dot_lift * radii_[point]));
+    return record;
+}
+
+gpu::StrokeRecord CloudDrawing::mark(std::uint32_t point, const PointColor& color,
+                                     float width_px) const {
+    const glm::vec3 at(position(point));
+    return {.from = at,
+            .radius = 0.5f * width_px,
+            .to = at,
+            .color = packed(color),
+            .lifts = glm::vec2(glm::dvec2(lift(point)))};
 }
 
 PointColor CloudDrawing::dot_color(std::uint32_t point, const CloudColors& colors,

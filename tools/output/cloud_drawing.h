@@ -51,6 +51,8 @@ public:
                  const UmbrellaIndex& umbrellas, std::span<const float> weights, CloudLook look);
 
     CloudLook look() const noexcept { return look_; }
+    /// Extends subject() by all discs, and by those with other normals, one for each point.
+    void include_discs(std::span<const glm::dvec3> normals);
     /// What a camera shows: all that is drawn, except the widths of dots and lines. This object must outlive it.
     Subject subject() const {
         return {extents_, umbrellas_->center(), umbrellas_->radius() + max_radius_, cloud_->up()};
@@ -60,6 +62,8 @@ public:
     /// replaces the colors of the points, `paper` is the background of dots. O(points).
     SplatCloud drawn(const PointColor& paper, const std::optional<PointColor>& clay = {},
                      float line_width_px = k_cloud_line_width_px) const;
+    /// The points alone, without features.
+    SplatCloud plain(const PointColor& paper) const;
     /// Lines along edges between points.
     std::vector<gpu::StrokeRecord> strokes(std::span<const PointEdge> edges,
                                            const PointColor& color,
@@ -72,6 +76,8 @@ public:
     double radius(std::uint32_t point) const { return radii_[point]; }
     /// Distance by which the end of a line is moved towards the camera.
     double lift(std::uint32_t point) const;
+    /// A round mark that is before the point's disc, and as wide on the screen at any distance.
+    gpu::StrokeRecord mark(std::uint32_t point, const PointColor& color, float width_px) const;
     /// The color of the file, or `clay` if it has none.
     PointColor own_color(std::uint32_t point, const PointColor& clay) const;
     gpu::SplatRecord disc(std::uint32_t point, const glm::dvec3& normal, const PointColor& color,
@@ -81,10 +87,15 @@ public:
                    std::vector<gpu::SplatRecord>& splats) const;
 
 private:
+    bool is_framed(std::uint32_t point) const;
     void add_extents();
+    void add_extent(std::uint32_t point, const glm::dvec3& normal);
     PointColor dot_color(std::uint32_t point, const CloudColors& colors,
                          const std::optional<PointColor>& clay) const;
     SplatCloud discs(const CloudColors& colors, const std::optional<PointColor>& clay) const;
+    /// Discs that hide what lies behind them.
+    SplatCloud paper_discs(const PointColor& paper) const;
+    gpu::StrokeRecord dot(std::uint32_t point, const PointColor& color, float line_width_px) const;
     SplatCloud dots(const PointColor& paper, const CloudColors& colors,
                     const std::optional<PointColor>& clay, float line_width_px) const;
 

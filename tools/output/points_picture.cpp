@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <utility>
 
 #include "silhouette/points/border_edges.h"
@@ -19,9 +20,10 @@ namespace rimline::tools {
 
 namespace {
 
-// Radii of single points and of silhouette points, in radii of the discs that cover the surface.
-constexpr float k_dot_radius = 0.35f;
-constexpr float k_mark_radius = 0.5f;
+// Widths of single points and of silhouette points: in radii of the discs that cover the surface, and at most in
+// pixels.
+constexpr double k_point_width = 0.7, k_max_point_width_px = 4.0;
+constexpr double k_mark_width = 1.0, k_max_mark_width_px = 6.0;
 
 PointColor bytes_of(const Color& color) { return {color.red, color.green, color.blue}; }
 
@@ -32,6 +34,10 @@ public:
           drawing_(picture.cloud, picture.surface, picture.umbrellas, picture.weights,
                    picture.look),
           colors_(cloud_colors(linear_from_srgb(paper()))) {
+        if (picture.mode == PointsMode::compare) {
+            pca_ = pca_normals(picture.surface.positions(), picture.k);
+            drawing_.include_discs(pca_);
+        }
         scene_.camera = make_cloud_camera(drawing_, picture.umbrellas, picture.name, picture.eye,
                                           picture.target, picture.options);
         scene_.background = linear_from_srgb(paper());
@@ -54,7 +60,7 @@ public:
     }
 
     SplatCloud featured() const {
-        SplatCloud cloud = with_umbrellas();
+        SplatCloud cloud = drawing_.plain(bytes_of(paper()));
         const auto add = [&](std::span<const PointEdge> edges, const PointColor& color) {
             const std::vector<gpu::StrokeRecord> lines = drawing_.strokes(edges, color);
             cloud.strokes.insert(cloud.strokes.end(), lines.begin(), lines.end());
@@ -74,10 +80,12 @@ public:
     }
 
     std::vector<SplatCloud> compared() const {
-        const std::vector<glm::dvec3> pca = pca_normals(picture_.surface.positions(), picture_.k);
-        return {
-            dots(),          drawn(), marked(thresholded()), marked(silhouette_), with_normals(pca),
-            with_umbrellas()};
+        return {dots(),
+                drawn(),
+                marked(thresholded()),
+                marked(silhouette_),
+                with_normals(pca_),
+                with_umbrellas()};
     }
 
 private:
@@ -105,22 +113,32 @@ private:
         for (std::uint32_t p = 0; p < picture_.surface.size(); ++p)
             positions.push_back(drawing_.position(p));
         for (const std::uint32_t p : visible_points(positions, scene_.camera.eye)) {
-            cloud.splats.push_back(drawing_.disc(p, glm::dvec3(0.0), colors_.ink, false));
-            cloud.splats.back().radius *= k_dot_radius;
+            cloud.strokes.push_back(
+                drawing_.mark(p, colors_.ink, width_px(p, k_point_width, k_max_point_width_px)));
         }
         return cloud;
     }
 
     SplatCloud marked(const std::vector<PointId>& points) const {
-        SplatCloud cloud = with_umbrellas();
-        for (const PointId point : points) {
-            const std::uint32_t p = index(point);
-            gpu::SplatRecord dot = drawing_.disc(p, glm::dvec3(0.0), colors_.ink, false);
-            dot.radius *= k_mark_radius;
-            dot.position = glm::vec3(lifted(p));
-            cloud.splats.push_back(dot);
-        }
+        SplatCloud cloud = drawing_.plain(bytes_of(paper()));
+        for (const PointId point : points)
+            cloud.strokes.push_back(
+                drawing_.mark(index(point), colors_.ink,
+                              width_px(index(point), k_mark_width, k_max_mark_width_px)));
         return cloud;
+    }
+
+    // `share` radii of the point's disc, as wide as it would be if it faced the camera.
+    float width_px(std::uint32_t p, double share, double max_px) const {
+        const Camera& camera = scene_.camera;
+        const glm::dvec3 back = glm::normalize(camera.eye - camera.target);
+        const double height =
+            camera.is_orthographic()
+                ? camera.ortho_height
+                : 2.0 * std::tan(glm::radians(0.5 * camera.fov_y_deg)) *
+                      std::max(glm::dot(camera.eye - drawing_.position(p), back), 0.0);
+        const double width = share * drawing_.radius(p) * picture_.options.size.height;
+        return static_cast<float>(width < max_px * height ? width / height : max_px);
     }
 
     // As many points as the silhouette has: those whose normals are closest to perpendicular to the view
@@ -142,17 +160,6 @@ private:
         return points;
     }
 
-    // The position moved towards the camera, as the ends of lines are.
-    glm::dvec3 lifted(std::uint32_t p) const {
-        const Camera& camera = scene_.camera;
-        const glm::dvec3 position = drawing_.position(p);
-        const glm::dvec3 back =
-            camera.is_orthographic() ? camera.eye - camera.target : camera.eye - position;
-        const double length = glm::length(back);
-        const double lift = std::min(drawing_.lift(p), 0.5 * length);
-        return length > 0.0 ? position + back * (lift / length) : position;
-    }
-
     const PointsPicture& picture_;
     CloudDrawing drawing_;
     const CloudColors& colors_;
@@ -160,6 +167,7 @@ private:
     HomogeneousPoint point_{};
     std::vector<PointId> silhouette_;
     std::vector<PointEdge> consensus_;
+    std::vector<glm::dvec3> pca_;  // Of compare.
 };
 
 }  // namespace

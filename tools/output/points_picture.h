@@ -4,10 +4,10 @@
 //
 //   drawn     discs or dots, darker with a higher feature weight; borders in their own color; consensus edges of
 //             the silhouette as ink
-//   features  discs, with lines along creases and borders, each in its color; consensus edges as ink
+//   features  discs or dots, with lines along creases and borders, each in its color; consensus edges as ink
 //   compare   six pictures: visible points only, and the picture `drawn`; silhouette points by thresholding
 //             normals (Zakaria and Seidel 2004), as many as ours, and ours; discs with normals of principal
-//             components, and with ours
+//             components, and with ours. The last two have discs in either look, because their shade shows the normals
 
 #include <optional>
 #include <span>

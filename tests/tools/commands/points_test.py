@@ -280,6 +280,38 @@ def test_points_of_a_coarse_cloud_are_dots_and_of_a_dense_one_discs():
     fail(2, "points", "shape:torus:1000", "--as-points", "--look", "plates")
 
 
+def test_points_frame_every_mode_in_both_looks():
+    have_device()
+    width, height, gap = 160, 120, 8
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "points.png")
+
+        def cells(mode, *options):
+            """Of each picture its rows."""
+            succeed("points", "shape:knot:500", "--as-points", "-o", output, "--size", f"{width}x{height}", "--no-lists",
+                    "--mode", mode, *options)
+            rows = png_rows(output)
+            if mode != "compare":
+                return [rows]
+            return [[row[x:x + width] for row in rows[y:y + height]] for y in range(gap, 3 * (height + gap), height + gap)
+                    for x in (gap, 2 * gap + width)]
+
+        def inked(cell):
+            return sum(sum(pixel) < 210 for row in cell for pixel in row)
+
+        for mode in ("features", "compare"):
+            looks = [cells(mode, "--look", look) for look in ("dots", "discs")]
+            assert looks[0] == cells(mode) and looks[0][0] != looks[1][-1]
+            for cell in looks[0] + looks[1]:
+                rim = cell[0] + cell[-1] + [row[0] for row in cell] + [row[-1] for row in cell]
+                assert all(pixel == rim[0] for pixel in rim), mode
+        dots, discs = looks
+        # Points and marks are no blobs, and only the normals are shown by discs.
+        for look in looks:
+            assert all(0 < inked(look[cell]) < 0.1 * width * height for cell in (0, 2, 3)), [inked(c) for c in look]
+        assert dots[1] != discs[1] and dots[2] != discs[2] and dots[3] != discs[3] and dots[4:] == discs[4:]
+
+
 def test_points_have_ink_that_stands_out_from_the_paper():
     have_device()
     with tempfile.TemporaryDirectory() as folder:
