@@ -1,6 +1,8 @@
 #include "silhouette/points/outliers.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <numeric>
 
@@ -15,6 +17,12 @@ namespace {
 // points, and with half of a ring, more outliers stay; with 70% of a ring surfaces break. Beyond 4 scales a third fewer
 // are found.
 constexpr std::uint32_t k_min_surface = 50;
+// Of strays, sets of 50 points and more agree by at most 2.6; surfaces by 3.5 and more, and by 2.9 with noise of half
+// their spacing.
+constexpr double k_min_agreement = 2.8;
+// What is seen of a surface through a gap. No set of 20 strays was found to agree by 3.2.
+constexpr std::uint32_t k_min_island = 20;
+constexpr double k_min_island_agreement = 3.6;
 constexpr double k_min_naming = 0.6;
 constexpr double k_max_scale_step = 2.0;
 constexpr double k_max_scales_away = 2.75;
@@ -76,6 +84,9 @@ public:
         sizes_[a] += sizes_[b];
     }
     std::uint32_t size_of(std::uint32_t point) { return sizes_[root(point)]; }
+    std::uint32_t largest_root() {
+        return root(static_cast<std::uint32_t>(std::ranges::max_element(sizes_) - sizes_.begin()));
+    }
 
 private:
     std::vector<std::uint32_t> parents_;
@@ -107,11 +118,11 @@ private:
     double scale_ = 0.0;
 };
 
-std::vector<std::uint8_t> points_on_surfaces(const Rings& rings, std::span<const double> scales,
-                                             const LongCall& call) {
-    const auto count = static_cast<std::uint32_t>(scales.size());
+// Whether more than k_min_naming of the ring of a point name it.
+std::vector<std::uint8_t> named_points(const Rings& rings, std::uint32_t count,
+                                       const LongCall& call) {
     std::vector<std::uint8_t> is_named(count, 0);
-    each_point(count, {call, 0.0, 0.4}, [&](std::uint32_t first, std::uint32_t last) {
+    each_point(count, {call}, [&](std::uint32_t first, std::uint32_t last) {
         for (std::uint32_t i = first; i < last; ++i) {
             std::uint32_t all = 0, naming = 0;
             rings.each(i, [&](std::uint32_t, bool is_returned) {
@@ -121,9 +132,40 @@ std::vector<std::uint8_t> points_on_surfaces(const Rings& rings, std::span<const
             is_named[i] = naming > k_min_naming * all;
         }
     });
+    return is_named;
+}
+
+// Of each root the agreement of its set (outliers.h).
+std::vector<double> set_agreements(const Rings& rings, std::span<const glm::dvec3> normals,
+                                   std::span<const std::uint8_t> is_named, Sets& sets) {
+    std::vector<double> agreements(normals.size(), 0.0);
+    for (std::uint32_t i = 0; i < normals.size(); ++i) {
+        if (is_named[i] == 0) continue;
+        const std::uint32_t root = sets.root(i);
+        rings.each(i, [&](std::uint32_t other, bool is_returned) {
+            if (is_returned && is_named[other] != 0 && sets.root(other) == root)
+                agreements[root] += std::abs(glm::dot(normals[i], normals[other]));
+        });
+    }
+    for (std::uint32_t i = 0; i < normals.size(); ++i)
+        if (sets.root(i) == i) agreements[i] /= sets.size_of(i);
+    return agreements;
+}
+
+bool is_surface(std::uint32_t size, double agreement) {
+    return size >= k_min_surface ? agreement >= k_min_agreement
+                                 : size >= k_min_island && agreement >= k_min_island_agreement;
+}
+
+std::vector<std::uint8_t> points_on_surfaces(const Rings& rings, const UmbrellaSet& umbrellas,
+                                             const LongCall& call) {
+    const std::span<const double> scales = umbrellas.scales;
+    const auto count = static_cast<std::uint32_t>(scales.size());
+    if (count == 0) return {};
+    std::vector<std::uint8_t> is_named = named_points(rings, count, call.part(0.0, 0.4));
     Sets sets(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        if (i % k_checkpoint_points == 0) call.checkpoint(0.4 + 0.3 * i / count);
+        if (i % k_checkpoint_points == 0) call.checkpoint(0.4 + 0.2 * i / count);
         if (is_named[i] == 0) continue;
         rings.each(i, [&](std::uint32_t other, bool is_returned) {
             if (is_returned && is_named[other] != 0 &&
@@ -132,7 +174,14 @@ std::vector<std::uint8_t> points_on_surfaces(const Rings& rings, std::span<const
                 sets.join(i, other);
         });
     }
-    for (std::uint32_t i = 0; i < count; ++i) is_named[i] = sets.size_of(i) >= k_min_surface;
+    const std::vector<double> agreements = set_agreements(rings, umbrellas.normals, is_named, sets);
+    call.checkpoint(0.7);
+    const std::uint32_t largest = sets.largest_root();
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t root = sets.root(i), size = sets.size_of(i);
+        is_named[i] =
+            is_surface(size, agreements[root]) || (root == largest && size >= k_min_surface);
+    }
     return is_named;
 }
 
@@ -143,7 +192,7 @@ std::vector<std::uint8_t> find_outliers(std::span<const glm::dvec3> points,
                                         const UmbrellaSet& umbrellas, const LongCall& call) {
     const auto count = static_cast<std::uint32_t>(points.size());
     const std::vector<std::uint8_t> is_on_surface =
-        points_on_surfaces(Rings(neighbors, umbrellas), umbrellas.scales, call);
+        points_on_surfaces(Rings(neighbors, umbrellas), umbrellas, call);
     std::vector<std::uint8_t> outliers(count, 0);
     std::vector<glm::dvec3> positions;
     std::vector<double> scales;

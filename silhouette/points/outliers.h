@@ -5,11 +5,14 @@
 // A stray point harms more than itself. Those that lie beyond a border name its points as their neighbors, and close
 // its gaps with triangles that their own scale allows.
 //
-// They cannot be told by their spacing alone, because many of them are each other's neighbors. But their umbrellas do
-// not agree. So a surface is a set of 50 points or more that are connected by umbrellas which name each other, where
-// their scales differ by at most a factor of 2 from one point to the next; only points count whom more than 60% of
-// their ring name. What belongs to no surface, and lies farther from the nearest point of one than 2.75 times that
-// point's scale, is an outlier.
+// They cannot be told by their spacing, because many of them are each other's neighbors. But their umbrellas do not
+// agree. Points are connected by umbrellas which name each other, where their scales differ by at most a factor of 2;
+// only points count whom more than 60% of their ring name. The agreement of such a set is the sum of |n n'| over the
+// points of its set that name a point and that it names, in the mean over its points: on a smooth surface about 6, the
+// size of a ring, and on strays at most 2.6, because only half of a ring names a point, and normals have any direction.
+// A surface is a set of 50 points or more with an agreement of 2.8 or more, one of 20 points or more with 3.6, and the
+// largest set if it has 50 points. What belongs to no surface, and lies farther from the nearest point of one than 2.75
+// times that point's scale, is an outlier.
 
 #include <cstdint>
 #include <glm/vec3.hpp>

@@ -32,9 +32,10 @@ void SurfaceOptions::add_to(CLI::App& app) {
     add_number(app, "--gap-ratio", gap_ratio_, 1.001, 1000.0,
                "robust: smallest circumradius of a gap, in scales of its corners (default: 2.75)")
         ->group(group);
-    app.add_flag("--drop-outliers", drops_outliers_,
-                 "Find the points that lie on no surface, and the umbrellas of the others without "
-                 "them")
+    app.add_flag(
+           "--drop-outliers", drops_outliers_,
+           "Find the points that lie on no surface, about three spacings or more away, and the "
+           "umbrellas of the others without them; none if they are more than a tenth")
         ->group(group);
     add_number(app, "--omega", omega_, 0.001, 89.999,
                "thesis: largest angle between a neighbor and the plane, in degrees (default: 30)")

@@ -2,6 +2,8 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 
 #include "silhouette/points/point_surface.h"
 #include "tests/silhouette/points/sample_clouds.h"
@@ -64,6 +66,52 @@ TEST_CASE("without its outliers a patch has the border that it has without them"
     }
     // With them it loses a fifth of it, or this tests nothing.
     CHECK(errors(patch, PointSurface(with_stray_points(patch.points, 48))).missed > 30);
+}
+
+TEST_CASE("strays that are each other's neighbors form no surface, however many they are") {
+    const std::vector<glm::dvec3> sphere = tests::make_sphere(10'000);
+    const double spacing = 2.0 / std::sqrt(10'000.0);
+    for (const double half : {1.2, 2.0, 6.0})
+        for (const std::uint32_t count : {10u, 200u, 1000u}) {
+            CAPTURE(half);
+            CAPTURE(count);
+            std::vector<glm::dvec3> points = sphere;
+            tests::Random random(count);
+            for (std::uint32_t i = 0; i < count; ++i)
+                points.push_back(half * glm::dvec3(tests::jitter(random), tests::jitter(random),
+                                                   tests::jitter(random)));
+            const PointSurface surface(points, without_outliers());
+            for (std::uint32_t i = 0; i < points.size(); ++i) {
+                const double away = std::abs(glm::length(points[i]) - 1.0);
+                if (i >= sphere.size() && away < 4.0 * spacing) continue;
+                CHECK((surface.reason(PointId{i}) == UndecidedReason::outlier) ==
+                      (i >= sphere.size()));
+            }
+        }
+}
+
+TEST_CASE("objects of other sizes and spacings beside strays are surfaces") {
+    std::vector<glm::dvec3> points = tests::make_sphere(5000);
+    for (const glm::dvec3& p : tests::make_sphere(60)) points.push_back(0.1 * p + 3.0);
+    for (const glm::dvec3& p : tests::make_sphere(300)) points.push_back(5.0 * p - 20.0);
+    // What is seen of a surface through a gap.
+    for (const glm::dvec3& p : tests::make_patch(6, 0.3, 8).points)
+        points.push_back(0.2 * p + glm::dvec3(-3.0, 4.0, 0.0));
+    const std::size_t on_surfaces = points.size();
+    tests::Random random(5);
+    for (std::uint32_t i = 0; i < 300; ++i)
+        points.push_back(
+            30.0 * glm::dvec3(tests::jitter(random), tests::jitter(random), tests::jitter(random)));
+    const PointSurface surface(points, without_outliers());
+    std::uint32_t found = 0;
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+        const bool is_outlier = surface.reason(PointId{i}) == UndecidedReason::outlier;
+        if (i < on_surfaces)
+            CHECK_FALSE(is_outlier);
+        else
+            found += is_outlier;
+    }
+    CHECK(found > 250);
 }
 
 TEST_CASE("surfaces have no outliers, and too many are none") {
