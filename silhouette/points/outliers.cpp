@@ -16,13 +16,15 @@ namespace {
 // Chosen on the wide and smooth models of docs/results/points.md with a hundredth and a twentieth of outliers. With 20
 // points, and with half of a ring, more outliers stay; with 70% of a ring surfaces break. Beyond 4 scales a third fewer
 // are found.
-constexpr std::uint32_t k_min_surface = 50;
-// Of strays, sets of 50 points and more agree by at most 2.6; surfaces by 3.5 and more, and by 2.9 with noise of half
+constexpr std::uint32_t k_min_largest = 50;
+// Of strays, sets of 100 points and more agree by at most 2.6; surfaces by 3.5 and more, and by 2.9 with noise of half
 // their spacing.
+constexpr std::uint32_t k_min_surface = 100;
 constexpr double k_min_agreement = 2.8;
-// What is seen of a surface through a gap. No set of 20 strays was found to agree by 3.2.
+// Of strays, smaller sets agree by up to 2.8. No set of 20 was found to agree by 3.2. These are what is seen of a surface
+// through a gap.
 constexpr std::uint32_t k_min_island = 20;
-constexpr double k_min_island_agreement = 3.6;
+constexpr double k_min_island_agreement = 3.4;
 constexpr double k_min_naming = 0.6;
 constexpr double k_max_scale_step = 2.0;
 constexpr double k_max_scales_away = 2.75;
@@ -180,7 +182,7 @@ std::vector<std::uint8_t> points_on_surfaces(const Rings& rings, const UmbrellaS
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint32_t root = sets.root(i), size = sets.size_of(i);
         is_named[i] =
-            is_surface(size, agreements[root]) || (root == largest && size >= k_min_surface);
+            is_surface(size, agreements[root]) || (root == largest && size >= k_min_largest);
     }
     return is_named;
 }

@@ -9,8 +9,8 @@
 // agree. Points are connected by umbrellas which name each other, where their scales differ by at most a factor of 2;
 // only points count whom more than 60% of their ring name. The agreement of such a set is the sum of |n n'| over the
 // points of its set that name a point and that it names, in the mean over its points: on a smooth surface about 6, the
-// size of a ring, and on strays at most 2.6, because only half of a ring names a point, and normals have any direction.
-// A surface is a set of 50 points or more with an agreement of 2.8 or more, one of 20 points or more with 3.6, and the
+// size of a ring, and on strays at most 2.8, because only half of a ring names a point, and normals have any direction.
+// A surface is a set of 100 points or more with an agreement of 2.8 or more, one of 20 points or more with 3.4, and the
 // largest set if it has 50 points. What belongs to no surface, and lies farther from the nearest point of one than 2.75
 // times that point's scale, is an outlier.
 
