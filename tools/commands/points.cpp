@@ -238,6 +238,7 @@ private:
         if (direction_) point = umbrellas.direction(glm::dvec3(*direction_));
         if (from_) point = umbrellas.viewpoint(*from_);
         if (drawing) {
+            warn_of_small_picture(analysis.surface);
             context.checkpoint();
             const Progress drawing_progress(context, "drawing the picture");
             analysis.picture =
@@ -284,7 +285,22 @@ private:
                       ": its points are %.3g apart, but it is so large that silhouettes round "
                       "positions to %.3g: leave out what lies far away",
                       spacing, umbrellas.resolution());
-        print_warning(cloud_.model + text);
+        print_warning(cloud_.model + text + drop_hint());
+    }
+
+    void warn_of_small_picture(const PointSurface& surface) const {
+        const std::size_t far = count_far_points(surface);
+        if (far == 0) return;
+        print_warning(cloud_.model + ": " + std::to_string(far) + " of its " +
+                      std::to_string(surface.size()) +
+                      " points lie so far from the others that these are small in the picture" +
+                      drop_hint());
+    }
+
+    std::string drop_hint() const {
+        return surface_.options().drops_outliers
+                   ? ""
+                   : "; --drop-outliers leaves out points that lie on no surface";
     }
 
     PointTurn turn(const Context& context, const CloudAnalysis& analysis,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "tools/command.h"
@@ -10,6 +11,16 @@
 namespace rimline::tools {
 
 namespace {
+
+// Times the smallest radius of a gap: docs/results/points.md, "Narrow openings".
+constexpr double k_found_ratio = 4.0;
+
+// Upper median. Reorders `values`, which are not empty.
+double middle_of(std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
 
 void add_lists(const CloudAnalysis& analysis, nlohmann::ordered_json& result) {
     result["border"] = analysis.numbers(PointLabel::border);
@@ -39,9 +50,31 @@ std::optional<double> median_scale(const PointSurface& surface) {
     for (std::uint32_t p = 0; p < surface.size(); ++p)
         if (const double scale = surface.scale(PointId{p}); scale > 0.0) scales.push_back(scale);
     if (scales.empty()) return std::nullopt;
-    const auto middle = scales.begin() + static_cast<std::ptrdiff_t>(scales.size() / 2);
-    std::ranges::nth_element(scales, middle);
-    return *middle;
+    return middle_of(scales);
+}
+
+std::size_t count_far_points(const PointSurface& surface) {
+    constexpr double k_share = 0.99, k_far = 3.0;
+    std::vector<glm::dvec3> points;
+    for (std::uint32_t p = 0; p < surface.size(); ++p)
+        if (surface.reason(PointId{p}) != UndecidedReason::outlier)
+            points.push_back(surface.positions()[p]);
+    if (points.empty()) return 0;
+    glm::dvec3 center;
+    std::vector<double> values(points.size());
+    for (glm::length_t axis = 0; axis < 3; ++axis) {
+        std::ranges::transform(points, values.begin(),
+                               [&](const glm::dvec3& point) { return point[axis]; });
+        center[axis] = middle_of(values);
+    }
+    std::ranges::transform(points, values.begin(),
+                           [&](const glm::dvec3& point) { return glm::distance(point, center); });
+    const auto most = values.begin() +
+                      static_cast<std::ptrdiff_t>(k_share * static_cast<double>(values.size() - 1));
+    std::ranges::nth_element(values, most);
+    const double limit = k_far * *most;
+    return static_cast<std::size_t>(
+        std::ranges::count_if(values, [&](double distance) { return distance > limit; }));
 }
 
 std::optional<HoleLimit> hole_limit(const PointSurface& surface, double gap_ratio) {
@@ -50,7 +83,7 @@ std::optional<HoleLimit> hole_limit(const PointSurface& surface, double gap_rati
     double largest = 0.0;
     for (std::uint32_t p = 0; p < surface.size(); ++p)
         largest = std::max(largest, surface.scale(PointId{p}));
-    return HoleLimit{gap_ratio * *median, gap_ratio * largest};
+    return HoleLimit{gap_ratio * *median, gap_ratio * largest, k_found_ratio * gap_ratio * *median};
 }
 
 void print_object(const Context& context, const PointsReport& report) {
@@ -87,7 +120,8 @@ void print_object(const Context& context, const PointsReport& report) {
         {"silhouette_ms", analysis.silhouette_ms}};
     if (analysis.hole_limit)
         result["smallest_hole"] = {{"median", analysis.hole_limit->median},
-                                   {"largest", analysis.hole_limit->largest}};
+                                   {"largest", analysis.hole_limit->largest},
+                                   {"found", analysis.hole_limit->found}};
     if (const std::optional<BorderTruth>& truth = analysis.truth) {
         const auto percent = [&](std::size_t part) -> nlohmann::ordered_json {
             if (const auto value = truth->percent(part)) return *value;
@@ -146,10 +180,10 @@ void print_summary(const PointsReport& report) {
         std::printf("              %u undecided: %s\n", points, reason);
     if (analysis.hole_limit)
         std::printf(
-            "  holes       of a radius under %.3g (where points are sparsest, %.3g) cannot be told "
-            "from "
-            "the points' spacing\n",
-            analysis.hole_limit->median, analysis.hole_limit->largest);
+            "  holes       of a radius under %.3g (where points are sparsest, %.3g) are not found: "
+            "they "
+            "cannot be told from the points' spacing; of %.3g and more nearly all are found\n",
+            analysis.hole_limit->median, analysis.hole_limit->largest, analysis.hole_limit->found);
     if (const std::optional<BorderTruth>& truth = analysis.truth) {
         std::printf("  borders     %zu true, %zu missed, %zu extra", truth->border, truth->missed,
                     truth->extra);

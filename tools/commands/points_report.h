@@ -32,12 +32,17 @@ struct BorderTruth {
 /// The median of the scales of points that have one: about their distance from each other.
 std::optional<double> median_scale(const PointSurface& surface);
 
-/// The radius of the smallest hole that can be found, in the cloud's units.
+/// How many points lie more than three times as far from the middle of the cloud as 99% of all. Outliers that were
+/// left out do not count.
+std::size_t count_far_points(const PointSurface& surface);
+
+/// Radii of round holes, in the cloud's units.
 struct HoleLimit {
-    double median;   ///< Over the points.
-    double largest;  ///< Where the points are sparsest.
+    double median;   ///< Smaller ones are not found, in the median over the points.
+    double largest;  ///< The same where the points are sparsest.
+    double found;  ///< Larger ones are nearly all found: docs/results/points.md, "Narrow openings".
 };
-/// gap_ratio times the points' scales (PointSurface::scale()).
+/// gap_ratio times the points' scales (PointSurface::scale()), and four times the median of these.
 std::optional<HoleLimit> hole_limit(const PointSurface& surface, double gap_ratio);
 
 struct CloudAnalysis {
@@ -54,8 +59,7 @@ struct CloudAnalysis {
     std::optional<BorderTruth> truth;
     std::optional<PointsPictureReport> picture;
     std::optional<PointTurn> turn;
-    /// Smaller holes are not told from the spacing of the points. Not set: the method has no such limit, or no
-    /// point has an umbrella.
+    /// Not set: the method has no such limit, or no point has an umbrella.
     std::optional<HoleLimit> hole_limit;
     std::optional<ChosenUp> up;   ///< Of the picture and the turn.
     bool has_silhouette = false;  ///< The silhouette of one viewpoint was requested.

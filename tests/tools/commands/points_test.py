@@ -247,14 +247,32 @@ def test_points_tell_how_small_a_hole_they_can_find():
                 file.writelines(f"{0.1 * x} {0.1 * y} 0\n" for x, y in kept)
             found = succeed("points", path)
             inside = [p for p in found["border"] if 5 < kept[p][0] < 24 and 5 < kept[p][1] < 24]
-            return found["smallest_hole"]["median"], len(inside)
+            limit = found["smallest_hole"]
+            assert math.isclose(limit["found"], 4 * limit["median"])
+            return limit["median"], len(inside)
 
         limit, none = holes(0.0)
         assert none == 0 and abs(limit - 2.75 * 0.0707) < 0.01
         assert holes(0.6 * limit)[1] == 0
         assert holes(1.5 * limit)[1] > 8
+        # Nearly wherever a hole of the size that is told lies, in triangles as in squares.
+        round_holes = 0
+        for row, shear in ((0.1, 0.0), (0.1 * math.sqrt(0.75), 0.05)):
+            for at in ((2.0, 2.0), (2.02, 1.97), (1.95, 2.04)):
+                def rim(radius):
+                    kept = [(x, y) for j in range(48) for i in range(42) for x, y in [(0.1 * i + shear * (j % 2), row * j)]
+                            if math.dist((x, y), at) >= radius]
+                    write_points(path, [(x, y, 0) for x, y in kept])
+                    found = succeed("points", path)
+                    near = [kept[p] for p in found["border"] if math.dist(kept[p], at) < radius + 0.3]
+                    return found["smallest_hole"], {int(6 + 6 * math.atan2(y - at[1], x - at[0]) / math.pi) % 12
+                                                    for x, y in near}
+                told = rim(0.0)[0]
+                round_holes += len(rim(told["found"])[1]) >= 10
+                assert not rim(0.5 * told["median"])[1]
+        assert round_holes >= 5
         assert succeed("points", path, "--method", "thesis")["smallest_hole"] is None
-        assert "cannot be told from the points' spacing" in run("points", path).stdout
+        assert "nearly all are found" in run("points", path).stdout
 
 
 def test_points_of_a_coarse_cloud_are_dots_and_of_a_dense_one_discs():
@@ -353,6 +371,20 @@ def test_points_warn_where_far_ones_cost_the_others_their_shape():
             result = run("points", cloud, "--from", "30,0,0")
             assert result.returncode == 0, result.stderr
             assert ("leave out what lies far away" in result.stderr) == warns, (distance, result.stderr)
+            assert ("--drop-outliers leaves out points" in result.stderr) == warns, (distance, result.stderr)
+
+
+def test_points_warn_where_few_of_them_make_the_picture_small():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        cloud, output = os.path.join(folder, "cloud.xyz"), os.path.join(folder, "cloud.png")
+        for stray, options, warns in (([], [], False), ([(57, 57, 57)], [], True),
+                                      ([(57, 57, 57)], ["--drop-outliers"], False)):
+            write_points(cloud, [*sphere_points(3000), *stray])
+            result = run("points", cloud, "-o", output, "--size", "64x48", *options)
+            assert result.returncode == 0, result.stderr
+            assert ("1 of its 3001 points lie so far" in result.stderr) == warns, (stray, options, result.stderr)
+            assert ("--drop-outliers leaves out points" in result.stderr) == warns, result.stderr
 
 
 def test_points_keep_what_they_read():
