@@ -89,6 +89,8 @@ public:
 private:
     bool is_framed(std::uint32_t point) const;
     void add_extents();
+    void find_reaches();
+    glm::dvec3 sunk(std::uint32_t point) const;
     void add_extent(std::uint32_t point, const glm::dvec3& normal);
     PointColor dot_color(std::uint32_t point, const CloudColors& colors,
                          const std::optional<PointColor>& clay) const;
@@ -105,6 +107,8 @@ private:
     std::span<const float> weights_;
     CloudLook look_;
     std::vector<double> radii_;  // Of discs, in units of the index.
+    std::vector<double>
+        reaches_;  // The greatest radius of the discs around a point, its own included.
     // Of dots the points, of discs the corners of squares around them.
     std::vector<glm::vec3> extents_;
     double max_radius_ = 0.0;  // By which a drawing exceeds the points.

@@ -194,6 +194,47 @@ TEST_CASE("the camera's frame holds every disc, and a coarse cloud has dots for 
     }
 }
 
+TEST_CASE("paper discs hide the dots of a sphere's back and hardly any of its front") {
+    tests::Random random(1);
+    std::vector<glm::dvec3> points;
+    while (points.size() < 400) {
+        const glm::dvec3 p(tests::jitter(random), tests::jitter(random), tests::jitter(random));
+        if (glm::length(p) > 0.1 && glm::length(p) < 1.0) points.push_back(glm::normalize(p));
+    }
+    PointSource source;
+    source.positions = points;
+    const PointCloud cloud(source);
+    const PointSurface surface(cloud.positions());
+    const UmbrellaIndex umbrellas(surface);
+    const std::vector<float> weights = feature_weights(surface);
+    const CloudDrawing drawing(cloud, surface, umbrellas, weights, CloudLook::dots);
+    const SplatCloud drawn = drawing.drawn({248, 244, 236});
+    // Seen along z from infinity.
+    const auto is_hidden = [&](const gpu::StrokeRecord& dot) {
+        return std::ranges::any_of(drawn.splats, [&](const gpu::SplatRecord& disc) {
+            const glm::dvec2 aside(dot.from - disc.position);
+            const glm::dvec3 normal(disc.normal);
+            const glm::dvec3 to(aside, -glm::dot(aside, glm::dvec2(normal)) / normal.z);
+            const double share = glm::length(to) / double{disc.radius};
+            // As in splat.vert, a disc is a cone.
+            return share <= 1.0 && disc.position.z + to.z - 0.15 * share * double{disc.radius} >
+                                       dot.from.z + dot.lifts.x;
+        });
+    };
+    int front = 0, hidden_front = 0, back = 0, shown_back = 0;
+    for (const gpu::StrokeRecord& dot : drawn.strokes) {
+        if (dot.from != dot.to) continue;
+        const double height = (double{dot.from.z} - umbrellas.center().z) / umbrellas.radius();
+        if (height > 0.05) hidden_front += is_hidden(dot), ++front;
+        if (height < -0.3) shown_back += !is_hidden(dot), ++back;
+    }
+    CHECK(front > 150);
+    CHECK(back > 120);
+    // With discs on the surface and half of their own radii as lifts, 34 of 191.
+    CHECK(hidden_front <= front / 40);
+    CHECK(shown_back <= 1);
+}
+
 TEST_CASE("a patch's discs end at its border") {
     const int n = 12;
     const tests::Patch patch = tests::make_patch(n, 0.0, 1);
