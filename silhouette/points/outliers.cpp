@@ -21,8 +21,8 @@ constexpr std::uint32_t k_min_largest = 50;
 // their spacing.
 constexpr std::uint32_t k_min_surface = 100;
 constexpr double k_min_agreement = 2.8;
-// Of strays, smaller sets agree by up to 2.8. No set of 20 was found to agree by 3.2. These are what is seen of a surface
-// through a gap.
+// Of strays, smaller sets agree by up to 2.8; none of 20 was found to agree by 3.2. Islands are what is seen of a
+// surface through a gap.
 constexpr std::uint32_t k_min_island = 20;
 constexpr double k_min_island_agreement = 3.4;
 constexpr double k_min_naming = 0.6;
