@@ -216,7 +216,7 @@ def test_an_eye_alone_shows_the_whole_model():
             lit = [(x, y) for y, row in enumerate(rows) for x, pixel in enumerate(row) if sum(pixel[:3]) > 300]
             return [f(p[i] for p in lit) for f in (min, max) for i in (0, 1)]
 
-        for eye in ("3,2,4", "0,5,0", "-4,0.3,0.1", "30,1,2"):
+        for eye in ("3,2,4", "0,5,0", "-4,0.3,0.1", "30,1,2", "3000,2000,4000"):
             said = succeed(*draw, f"--eye={eye}")
             left, top, right, bottom = bounds()
             assert 0 < left and 0 < top and right < 95 and bottom < 71, (eye, bounds())
