@@ -193,7 +193,7 @@ public:
                 for (std::size_t i = 0; i + 1 < points.size(); ++i)
                     segments.push_back({place(points[i]), place(points[i + 1])});
             }
-        draw_with_halo(segments, 0.5 * layout_.scale, 0.6);
+        draw_with_halo(segments, 0.8 * layout_.scale, 0.75);
     }
 
     void draw_cut() {
@@ -202,7 +202,7 @@ public:
         std::vector<std::array<glm::dvec2, 2>> segments;
         for (const auto& [from, to] : cut_segments(slice_.mesh, slice_.grid.axis(), value))
             segments.push_back({to_pixels(from), to_pixels(to)});
-        draw_with_halo(segments, 0.9 * layout_.scale, 1.0);
+        draw_with_halo(segments, 1.2 * layout_.scale, 1.0);
     }
 
     // The title, and the greatest value: marked in the plot, and named beside the title. Narrow plots leave out the

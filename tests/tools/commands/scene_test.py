@@ -290,7 +290,7 @@ def test_bad_scene_files_are_errors_with_the_place():
         (changed(lights=[{"sun": [0, 0, 0]}]), "scene.json:lights[0].sun: expected a direction"),
         (changed(cameras={"a": {"eye": "frnt"}}), "scene.json:cameras.a.eye: "),
         (changed(cameras={"a": {"fov": 30, "ortho": 2}}), "scene.json:cameras.a: \"fov\" excludes"),
-        (changed(cameras={"a": {"fov": 300}}), "scene.json:cameras.a.fov: expected a number from 1 to 170"),
+        (changed(cameras={"a": {"fov": 300}}), "scene.json:cameras.a.fov: expected a number from 0.01 to 170"),
         (changed(cameras=[]), "scene.json:cameras: expected an object"),
         (changed(picture={"style": "inc"}), "scene.json:picture.style: expected one of {ink,toon"),
         (changed(picture={"style": 3}), "scene.json:picture.style: expected a text, not 3"),
