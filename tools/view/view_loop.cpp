@@ -15,6 +15,7 @@
 
 #include "tools/output/output_file.h"
 #include "tools/view/camera_motion.h"
+#include "tools/view/framed_for.h"
 #include "tools/view/view_marks.h"
 
 namespace rimline::tools {
@@ -222,22 +223,6 @@ void ViewLoop::apply_keys() {
     }
 }
 
-// A picture that is framed in the window, beside the panel, is framed in its own file too.
-class ViewLoop::FramedFor {
-public:
-    FramedFor(ViewLoop& loop, ImageSize size)
-        : session_(loop.session_), shown_(loop.session_.camera) {
-        if (loop.input_.is_framed) session_.fit({.window = {size.width, size.height}});
-    }
-    ~FramedFor() { session_.camera = shown_; }
-    FramedFor(const FramedFor&) = delete;
-    FramedFor& operator=(const FramedFor&) = delete;
-
-private:
-    ViewSession& session_;
-    const Camera shown_;
-};
-
 bool ViewLoop::may_write(const std::string& path) {
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored) || !may_replace_.insert(path).second) return true;
@@ -255,7 +240,7 @@ void ViewLoop::save(const PanelRequests::Save& save) {
                     throw UsageError(save.path +
                                      ": this is the model itself; name another file to write");
         if (!may_write(save.path)) return;
-        const FramedFor framed(*this, save.size);
+        const FramedFor framed(session_, input_.is_framed, save.size);
         session_.round_to_options();
         const std::vector<std::byte> png = encode_png(
             renderer_.picture(session_.picture(save.size), save.size.width, save.size.height));
@@ -275,7 +260,7 @@ void ViewLoop::save_scene(const PanelRequests::Save& save) {
             throw UsageError(save.path + ": the name of a scene file ends in .json");
         OutputFile file(save.path);
         if (!may_write(save.path)) return;
-        const FramedFor framed(*this, save.size);
+        const FramedFor framed(session_, input_.is_framed, save.size);
         file.write(scene_text(session_.written_scene(save.size), save.path));
         file.commit();
         may_replace_.insert(save.path);
@@ -330,7 +315,7 @@ void ViewLoop::copy_command() {
             true);
         return;
     }
-    const FramedFor framed(*this, picture.size);
+    const FramedFor framed(session_, input_.is_framed, picture.size);
     glfwSetClipboardString(window_.handle(), session_.command(picture.size, picture.path).c_str());
     panel_.show_message("the command is in the clipboard", false);
 }

@@ -79,8 +79,6 @@ public:
     FreeArea free_area() const;
 
 private:
-    class FramedFor;
-
     bool show_loaded();  // Returns whether a new document is shown.
     void apply_keys();
     void draw_hough_space();
