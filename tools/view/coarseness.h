@@ -5,8 +5,8 @@
 // Frames that take longer than k_slow_ms make the next one coarser: first fewer pixels, then no shadows. Frames that
 // take less than k_fast_ms make it finer, but not soon after a finer one was too slow. An event that arrives just after
 // a frame has begun is shown by the next one, so it is answered within twice k_slow_ms, unless the coarsest frames take
-// longer. At rest the picture is drawn finely, whatever that takes; an event gives it up (window_renderer.h), so that the
-// answer waits for the passes that the device is at.
+// longer. At rest the picture is drawn finely, whatever that takes; an event gives it up (window_renderer.h), so that
+// its answer waits for the passes that the device is at.
 
 #include <array>
 #include <cstddef>

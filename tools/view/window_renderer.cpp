@@ -106,7 +106,7 @@ struct WindowRenderer::OnDevice {
         VkExtent2D extent{};
         VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
     };
-    // No frame in flight may use the one of another size.
+    // Waits for all frames where it has another size.
     PictureTarget target_of(WindowPicture& picture, VkExtent2D extent);
     WindowPicture kept;    // The last one.
     WindowPicture beside;  // The one that takes its place when it is done.
@@ -123,6 +123,7 @@ PictureTarget WindowRenderer::OnDevice::shown_target() const {
 
 PictureTarget WindowRenderer::OnDevice::target_of(WindowPicture& picture, VkExtent2D extent) {
     if (picture.extent.width != extent.width || picture.extent.height != extent.height) {
+        wait_for_all();
         picture = {};
         picture.image =
             Image(device.context(),
