@@ -1,5 +1,6 @@
 #include "tools/absent_part.h"
 
+#include <CLI/App.hpp>
 #include <utility>
 
 namespace rimline::tools {

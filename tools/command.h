@@ -6,7 +6,6 @@
 // line, and runs the command that it names. To add a subcommand: derive from Command in commands/<name>.cpp,
 // declare its make function below, and list it in main.cpp.
 
-#include <CLI/App.hpp>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -18,6 +17,7 @@
 #include <vector>
 
 #include "silhouette/error.h"
+#include "tools/cli_classes.h"
 #include "tools/run_times.h"
 
 namespace rimline::tools {

@@ -1,5 +1,6 @@
 #include "tools/option_table.h"
 
+#include <CLI/App.hpp>
 #include <algorithm>
 
 namespace rimline::tools {

@@ -3,9 +3,10 @@
 // The subcommands and options of the program as plain data, for what is made of them beside --help: completion of
 // shells and the manual page.
 
-#include <CLI/App.hpp>
 #include <string>
 #include <vector>
+
+#include "tools/cli_classes.h"
 
 namespace rimline::tools {
 

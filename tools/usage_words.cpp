@@ -1,5 +1,6 @@
 #include "tools/usage_words.h"
 
+#include <CLI/App.hpp>
 #include <algorithm>
 
 #include "tools/nearest_name.h"

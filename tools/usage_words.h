@@ -2,9 +2,10 @@
 
 // What is wrong with a command line, in plain words, with the name that was probably meant.
 
-#include <CLI/App.hpp>
 #include <string>
 #include <vector>
+
+#include "tools/cli_classes.h"
 
 namespace rimline::tools {
 

@@ -1,5 +1,6 @@
 #include "tools/batch/batch_inputs.h"
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
 #include <cctype>

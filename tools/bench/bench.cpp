@@ -1,5 +1,6 @@
 // rimline bench: suites of measurements, each a subcommand of its own.
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <memory>
 #include <vector>

@@ -1,5 +1,6 @@
 // rimline bench edges: the classes of edges that `rimline convert --edges` writes.
 
+#include <CLI/App.hpp>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>

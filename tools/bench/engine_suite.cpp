@@ -1,5 +1,6 @@
 // rimline bench engine: streams and frames on a Vulkan device.
 
+#include <CLI/App.hpp>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 

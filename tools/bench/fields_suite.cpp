@@ -1,5 +1,6 @@
 // rimline bench fields: tangential distance fields.
 
+#include <CLI/App.hpp>
 #include <cstdio>
 #include <initializer_list>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,6 @@
 // rimline bench frames: what a frame's time depends on, on one Vulkan device.
 
+#include <CLI/App.hpp>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 

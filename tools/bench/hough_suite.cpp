@@ -1,5 +1,6 @@
 // rimline bench hough: the octree and its tracker against brute force.
 
+#include <CLI/App.hpp>
 #include <cstdio>
 #include <initializer_list>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,6 @@
 // rimline bench lines: line drawings against a ray for each piece of a line.
 
+#include <CLI/App.hpp>
 #include <cstdio>
 #include <initializer_list>
 #include <nlohmann/json.hpp>

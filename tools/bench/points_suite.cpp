@@ -1,5 +1,6 @@
 // rimline bench points: borders and normals of meshes without their faces.
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>

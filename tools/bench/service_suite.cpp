@@ -1,5 +1,6 @@
 // rimline bench service: many trackers on threads of their own.
 
+#include <CLI/App.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <vector>

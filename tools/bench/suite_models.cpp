@@ -1,5 +1,6 @@
 #include "tools/bench/suite_models.h"
 
+#include <CLI/App.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>

@@ -2,7 +2,6 @@
 
 // The models that a suite of `rimline bench` measures.
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -11,6 +10,7 @@
 
 #include "silhouette/mesh/mesh.h"
 #include "tools/bench/machine.h"
+#include "tools/cli_classes.h"
 #include "tools/command.h"
 
 namespace rimline::tools {

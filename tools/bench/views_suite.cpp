@@ -1,5 +1,6 @@
 // rimline bench views: the best views and lights beside those of other measures.
 
+#include <CLI/App.hpp>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 

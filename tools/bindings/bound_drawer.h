@@ -3,6 +3,8 @@
 // Line drawings of a mesh for other languages, with the options of `rimline draw`.
 
 #include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 #include <cstdint>
 #include <memory>
 #include <mutex>

@@ -3,6 +3,8 @@
 // Pictures of meshes for other languages, with the options of `rimline render`.
 
 #include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 #include <functional>
 #include <optional>
 #include <string>

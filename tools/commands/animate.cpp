@@ -1,5 +1,6 @@
 // rimline animate: a sequence of pictures along a path. Change sets update the GPU from frame to frame.
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

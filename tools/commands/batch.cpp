@@ -1,5 +1,6 @@
 // rimline batch: a subcommand over many models, each in a process of its own.
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
 #include <chrono>

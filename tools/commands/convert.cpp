@@ -1,5 +1,6 @@
 // rimline convert: a model as GLB, with the classes of its edges.
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <glm/trigonometric.hpp>

@@ -1,5 +1,6 @@
 // rimline devices: the Vulkan devices, and why each is or is not chosen.
 
+#include <CLI/App.hpp>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,6 @@
 // rimline draw: the lines of a model as a vector drawing.
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
 #include <chrono>

@@ -1,5 +1,6 @@
 // rimline field: a tangential distance field at points, or as a picture of a slice.
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
 #include <charconv>

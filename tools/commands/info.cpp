@@ -1,5 +1,6 @@
 // rimline info: the content of a model.
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
 #include <cstdio>

@@ -1,5 +1,6 @@
 // rimline light: the directional light that shows a view best.
 
+#include <CLI/App.hpp>
 #include <chrono>
 #include <cmath>
 #include <cstdio>

@@ -1,5 +1,6 @@
 // rimline origins: origins for Hough spaces, given their number or by trying.
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
 #include <chrono>

@@ -1,5 +1,6 @@
 // rimline path: a closed camera path through the best views of a model, as positions and pictures.
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -1,5 +1,6 @@
 // rimline points: borders, features and silhouettes of a point cloud.
 
+#include <CLI/App.hpp>
 #include <chrono>
 #include <memory>
 #include <optional>

@@ -1,5 +1,6 @@
 // rimline render: one picture of a model, or of the built-in scene.
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>

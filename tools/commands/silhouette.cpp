@@ -1,5 +1,6 @@
 // rimline silhouette: the silhouette from one point or along one direction.
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
 #include <chrono>

@@ -1,5 +1,6 @@
 // rimline track: moves a silhouette point along a path and reports the changes of every frame.
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

@@ -1,5 +1,6 @@
 // rimline views: the viewpoints that together show a model best, and pictures from these.
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>

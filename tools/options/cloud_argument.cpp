@@ -1,5 +1,6 @@
 #include "tools/options/cloud_argument.h"
 
+#include <CLI/App.hpp>
 #include <optional>
 #include <utility>
 

@@ -2,11 +2,11 @@
 
 // The CLOUD argument: a file of points, or with --as-points any model without its faces.
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <string>
 
 #include "silhouette/points/point_cloud.h"
+#include "tools/cli_classes.h"
 #include "tools/command.h"
 #include "tools/options/model_argument.h"
 

@@ -1,5 +1,6 @@
 #include "tools/options/drawn_lines.h"
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <glm/trigonometric.hpp>
 #include <vector>

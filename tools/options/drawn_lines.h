@@ -2,7 +2,6 @@
 
 // Which lines `draw` draws, and how. Lengths are in mm on the page.
 
-#include <CLI/App.hpp>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -10,6 +9,7 @@
 #include <string>
 
 #include "silhouette/lines/line_drawer.h"
+#include "tools/cli_classes.h"
 #include "tools/options/option_types.h"
 
 namespace rimline::tools {

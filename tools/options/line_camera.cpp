@@ -1,5 +1,6 @@
 #include "tools/options/line_camera.h"
 
+#include <CLI/App.hpp>
 #include <charconv>
 #include <cmath>
 #include <glm/common.hpp>

@@ -2,7 +2,6 @@
 
 // The camera of `draw`: the options of PictureOptions, as a LineView. It needs no engine.
 
-#include <CLI/App.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -11,6 +10,7 @@
 
 #include "silhouette/lines/line_view.h"
 #include "silhouette/mesh/mesh.h"
+#include "tools/cli_classes.h"
 #include "tools/options/view_option.h"
 
 namespace rimline::tools {

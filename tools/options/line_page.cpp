@@ -1,5 +1,6 @@
 #include "tools/options/line_page.h"
 
+#include <CLI/App.hpp>
 #include <charconv>
 #include <optional>
 #include <string>

@@ -2,9 +2,10 @@
 
 // The page of a drawing, in mm: --page, --margin, --scale.
 
-#include <CLI/App.hpp>
 #include <glm/vec2.hpp>
 #include <optional>
+
+#include "tools/cli_classes.h"
 
 namespace rimline::tools {
 

@@ -1,5 +1,6 @@
 #include "tools/options/model_argument.h"
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <charconv>
 #include <glm/common.hpp>

@@ -2,7 +2,6 @@
 
 // The MODEL argument of every subcommand: a file, or shape:NAME[:FACES], refined by --subdivide.
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "silhouette/mesh/formats/mesh_file.h"
 #include "silhouette/mesh/mesh.h"
 #include "silhouette/mesh/mesh_source.h"
+#include "tools/cli_classes.h"
 #include "tools/command.h"
 #include "tools/progress.h"
 

@@ -1,5 +1,6 @@
 #include "tools/options/model_list.h"
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
 #include <filesystem>

@@ -3,7 +3,6 @@
 // The MODEL arguments of commands that draw a scene: models, each with the options of its place after it, or
 // one scene file (scene_file.h).
 
-#include <CLI/App.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "silhouette/mesh/mesh.h"
+#include "tools/cli_classes.h"
 #include "tools/command.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/picture_options.h"

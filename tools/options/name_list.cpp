@@ -1,5 +1,6 @@
 #include "tools/options/name_list.h"
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <utility>
 

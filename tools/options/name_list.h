@@ -2,12 +2,13 @@
 
 // Options whose value is a list of names: `--lines silhouette,border`.
 
-#include <CLI/App.hpp>
 #include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "tools/cli_classes.h"
 
 namespace rimline::tools {
 

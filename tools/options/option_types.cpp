@@ -1,5 +1,6 @@
 #include "tools/options/option_types.h"
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
 #include <cctype>

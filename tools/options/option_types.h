@@ -6,7 +6,6 @@
 // The add_ functions are like those of CLI11: the option writes into `value`, which must outlive parsing.
 // They return the option, so that the caller can set its group.
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <initializer_list>
@@ -15,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/cli_classes.h"
 #include "tools/options/color.h"
 
 namespace rimline::tools {

@@ -1,5 +1,7 @@
 #include "tools/options/outline_options.h"
 
+#include <CLI/App.hpp>
+
 #include "tools/command.h"
 #include "tools/options/option_types.h"
 

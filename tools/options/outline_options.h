@@ -2,11 +2,11 @@
 
 // How `render` finds outlines: as lines, or by a comparator of pixels.
 
-#include <CLI/App.hpp>
 #include <optional>
 #include <string>
 
 #include "engine/renderer_options.h"
+#include "tools/cli_classes.h"
 
 namespace rimline::tools {
 

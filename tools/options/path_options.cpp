@@ -1,5 +1,6 @@
 #include "tools/options/path_options.h"
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <string>

@@ -3,7 +3,6 @@
 // The options that define a path, one point per frame: --path, --frames, --radius, --step and --seed.
 // `track` moves the silhouette point along it, `animate` the camera.
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -12,6 +11,7 @@
 
 #include "silhouette/mesh/homogeneous_point.h"
 #include "silhouette/mesh/mesh.h"
+#include "tools/cli_classes.h"
 #include "tools/command.h"
 
 namespace rimline::tools {

@@ -1,5 +1,7 @@
 #include "tools/options/picture_options.h"
 
+#include <CLI/App.hpp>
+
 #include "silhouette/mesh/homogeneous_point.h"
 #include "tools/options/up_option.h"
 

@@ -2,13 +2,13 @@
 
 // The options of every subcommand that draws pictures: camera, lights, image, device.
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "tools/cli_classes.h"
 #include "tools/options/option_types.h"
 #include "tools/options/view_option.h"
 

@@ -1,5 +1,6 @@
 #include "tools/options/placed_model.h"
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
 #include <charconv>

@@ -1,5 +1,6 @@
 #include "tools/options/scene_file.h"
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
 #include <cerrno>

@@ -7,13 +7,13 @@
 // not given it. Therefore a picture from a scene file and one from the same options are the same, byte for
 // byte.
 
-#include <CLI/App.hpp>
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "tools/cli_classes.h"
 #include "tools/options/placed_model.h"
 #include "tools/options/scene_mark.h"
 

@@ -1,5 +1,6 @@
 #include "tools/options/scene_options.h"
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>

@@ -3,7 +3,6 @@
 // The options of style, lines, shadows and ground, and the scene that follows from these and from the
 // options of camera, lights and image.
 
-#include <CLI/App.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
@@ -12,6 +11,7 @@
 
 #include "engine/scene.h"
 #include "silhouette/hough/hough_octree.h"
+#include "tools/cli_classes.h"
 #include "tools/options/line_style.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/palettes.h"

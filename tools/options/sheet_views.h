@@ -7,12 +7,12 @@
 //    left    front   right   back
 //            bottom
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "silhouette/mesh/mesh.h"
+#include "tools/cli_classes.h"
 #include "tools/options/line_camera.h"
 
 namespace rimline::tools {

@@ -1,5 +1,6 @@
 #include "tools/options/surface_options.h"
 
+#include <CLI/App.hpp>
 #include <numbers>
 
 #include "tools/command.h"

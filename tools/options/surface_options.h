@@ -2,12 +2,12 @@
 
 // The options of finding umbrellas. Angles are in degrees on the command line.
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
 
 #include "silhouette/points/point_surface.h"
+#include "tools/cli_classes.h"
 
 namespace rimline::tools {
 

@@ -1,5 +1,6 @@
 #include "tools/options/up_option.h"
 
+#include <CLI/App.hpp>
 #include <array>
 #include <cstdio>
 #include <string_view>

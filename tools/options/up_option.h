@@ -3,12 +3,12 @@
 // --up: which way is up. Where neither the user nor the file format says it, the mesh does
 // (silhouette/mesh/upright.h): it is y unless the mesh clearly stands along another axis.
 
-#include <CLI/App.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 
 #include "silhouette/mesh/mesh.h"
+#include "tools/cli_classes.h"
 
 namespace rimline::tools {
 

@@ -1,5 +1,6 @@
 #include "tools/options/view_choice.h"
 
+#include <CLI/App.hpp>
 #include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>

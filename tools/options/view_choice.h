@@ -2,13 +2,13 @@
 
 // Choosing the best views of a model, for `views` and `path`, with a device and without.
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "silhouette/field/best_views.h"
 #include "silhouette/mesh/mesh.h"
+#include "tools/cli_classes.h"
 #include "tools/command.h"
 
 namespace rimline::tools {

@@ -1,5 +1,6 @@
 #include "tools/options/view_option.h"
 
+#include <CLI/App.hpp>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>

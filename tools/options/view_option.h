@@ -4,13 +4,13 @@
 // that shows the model best (silhouette/field/picture_view.h). Directions are those of ground_axes.h: the front
 // is at +z if y is up, and at -y if z is up.
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 
 #include "silhouette/mesh/mesh.h"
+#include "tools/cli_classes.h"
 
 namespace rimline::tools {
 

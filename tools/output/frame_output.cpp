@@ -1,5 +1,6 @@
 #include "tools/output/frame_output.h"
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
 #include <cctype>

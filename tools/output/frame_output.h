@@ -2,10 +2,10 @@
 
 // The kind of output that the name of an animation asks for.
 
-#include <CLI/Option.hpp>
 #include <filesystem>
 #include <memory>
 
+#include "tools/cli_classes.h"
 #include "tools/output/frame_sink.h"
 
 namespace rimline::tools {

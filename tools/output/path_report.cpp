@@ -1,5 +1,6 @@
 #include "tools/output/path_report.h"
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

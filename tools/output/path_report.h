@@ -2,7 +2,6 @@
 
 // Planning a camera path through chosen views, and its report, for `path` with a device and without.
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <nlohmann/json_fwd.hpp>
@@ -11,6 +10,7 @@
 
 #include "silhouette/field/camera_path.h"
 #include "silhouette/field/camera_tour.h"
+#include "tools/cli_classes.h"
 #include "tools/options/view_choice.h"
 
 namespace rimline::tools {

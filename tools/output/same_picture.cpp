@@ -1,5 +1,6 @@
 #include "tools/output/same_picture.h"
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
 #include <string_view>

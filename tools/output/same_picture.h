@@ -3,10 +3,10 @@
 // The command line that draws a picture again: the user's own options of `render`, with a camera and lights
 // that are given completely instead of chosen.
 
-#include <CLI/App.hpp>
 #include <string>
 #include <vector>
 
+#include "tools/cli_classes.h"
 #include "tools/options/exact_text.h"
 
 namespace rimline::tools {

@@ -1,5 +1,6 @@
 #include "tools/python/keywords.h"
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
 #include <cctype>

@@ -14,8 +14,9 @@
 
 #include <pybind11/pybind11.h>
 
-#include <CLI/App.hpp>
 #include <string>
+
+#include "tools/cli_classes.h"
 
 namespace rimline::python {
 

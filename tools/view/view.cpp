@@ -1,5 +1,6 @@
 // rimline view: an interactive window that shows a model or a cloud and its silhouette.
 
+#include <CLI/App.hpp>
 #include <optional>
 #include <stop_token>
 #include <string>

@@ -1,5 +1,8 @@
 #include "tools/view/view_arguments.h"
 
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <memory>
 #include <utility>

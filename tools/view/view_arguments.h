@@ -3,13 +3,13 @@
 // What the window is to show, as the arguments of `rimline view`: models at their places, a scene file or a
 // cloud, and the camera, lights and look. The panel opens files and changes scenes by such arguments too.
 
-#include <CLI/App.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "tools/begin_call.h"
+#include "tools/cli_classes.h"
 #include "tools/options/cloud_argument.h"
 #include "tools/options/model_list.h"
 #include "tools/options/picture_options.h"

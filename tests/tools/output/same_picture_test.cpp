@@ -1,6 +1,9 @@
 #include "tools/output/same_picture.h"
 
 #include <doctest/doctest.h>
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 
 namespace rimline::tools {
 namespace {
