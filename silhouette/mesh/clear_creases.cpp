@@ -6,8 +6,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <numeric>
 #include <span>
 
+#include "silhouette/error.h"
 #include "silhouette/mesh/disjoint_sets.h"
 #include "silhouette/mesh/edge_convexity.h"
 
@@ -24,15 +26,19 @@ constexpr float k_flat_bend_rad = 3.0f * static_cast<float>(k_degree);
 constexpr float k_flat_share = 0.125f;
 // Cosine of 135 degrees between the ways of two edges out of a vertex: one goes on into the other.
 constexpr double k_max_cos_of_ways = -0.7071067811865476;
+constexpr std::uint32_t k_between_checkpoints = 1u << 17;
 
 // The radius of the part of a mesh that a vertex belongs to: of what edges connect, as Mesh::radius() of the whole.
 class PartRadii {
 public:
-    explicit PartRadii(const Mesh& mesh) : whole_(mesh.radius()) {
+    PartRadii(const Mesh& mesh, const LongCall& call) : whole_(mesh.radius()) {
         if (mesh.component_count() <= 1) return;
         DisjointSets parts(mesh.vertex_count());
-        for (const Edge& edge : mesh.edges())
+        for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
+            if (e % k_between_checkpoints == 0) call.checkpoint(0.0);
+            const Edge& edge = mesh.edge(EdgeId{e});
             parts.join(index(edge.vertices[0]), index(edge.vertices[1]));
+        }
         part_ = parts.take_numbers();
         const std::span<const glm::vec3> positions = mesh.positions();
         std::vector<Bounds> bounds;
@@ -61,8 +67,12 @@ private:
 // The chains of creases. End 2 * i + k is that of crease i at its edge's vertex k.
 class CreaseChains {
 public:
-    CreaseChains(const Mesh& mesh, std::span<const Crease> creases)
-        : mesh_(mesh), creases_(creases), radii_(mesh), next_(2 * creases.size(), k_no_end) {
+    CreaseChains(const Mesh& mesh, std::span<const Crease> creases, const LongCall& call)
+        : mesh_(mesh),
+          creases_(creases),
+          call_(call),
+          radii_(mesh, call),
+          next_(2 * creases.size(), k_no_end) {
         link();
     }
 
@@ -72,6 +82,7 @@ public:
         // Open chains from their ends, then closed ones.
         for (const bool is_closed : {false, true})
             for (std::uint32_t first = 0; first < next_.size(); ++first) {
+                if (first % k_between_checkpoints == 0) call_.checkpoint(0.0);
                 if (is_done[first / 2] != 0 || (!is_closed && next_[first] != k_no_end)) continue;
                 chain.clear();
                 for (std::uint32_t end = first;;) {
@@ -99,27 +110,41 @@ private:
         return position(vertices[1 - end % 2]) - position(vertices[end % 2]);
     }
 
+    std::uint32_t vertex_of(std::uint32_t end) const {
+        return index(edge_of(end).vertices[end % 2]);
+    }
+
+    // All ends in the order of their vertices, those at one vertex in their own.
+    std::vector<std::uint32_t> ends_by_vertex() const {
+        std::vector<std::uint32_t> first(mesh_.vertex_count() + 1), ends(next_.size());
+        for (std::uint32_t end = 0; end < next_.size(); ++end) ++first[vertex_of(end) + 1];
+        call_.checkpoint(0.0);
+        std::partial_sum(first.begin(), first.end(), first.begin());
+        for (std::uint32_t end = 0; end < next_.size(); ++end) ends[first[vertex_of(end)]++] = end;
+        call_.checkpoint(0.0);
+        return ends;
+    }
+
     // Links the ends at each vertex in pairs, the straightest first.
     void link() {
-        std::vector<std::array<std::uint32_t, 2>> at_vertices;  // Vertex and end.
-        for (std::uint32_t end = 0; end < next_.size(); ++end)
-            at_vertices.push_back({index(edge_of(end).vertices[end % 2]), end});
-        std::ranges::sort(at_vertices);
+        const std::vector<std::uint32_t> ends = ends_by_vertex();
         struct Pair {
             double cos;
             std::uint32_t a, b;
         };
         std::vector<Pair> pairs;
-        for (std::size_t i = 0; i < at_vertices.size();) {
+        std::size_t last_checkpoint = 0;
+        for (std::size_t i = 0; i < ends.size();) {
+            if (i >= last_checkpoint + k_between_checkpoints)
+                call_.checkpoint(0.0), last_checkpoint = i;
             std::size_t last = i + 1;
-            while (last < at_vertices.size() && at_vertices[last][0] == at_vertices[i][0]) ++last;
+            while (last < ends.size() && vertex_of(ends[last]) == vertex_of(ends[i])) ++last;
             pairs.clear();
             for (std::size_t a = i; a < last; ++a)
                 for (std::size_t b = a + 1; b < last; ++b) {
-                    const std::uint32_t from = at_vertices[a][1], to = at_vertices[b][1];
                     const double cos =
-                        glm::dot(glm::normalize(way_of(from)), glm::normalize(way_of(to)));
-                    if (cos <= k_max_cos_of_ways) pairs.push_back({cos, from, to});
+                        glm::dot(glm::normalize(way_of(ends[a])), glm::normalize(way_of(ends[b])));
+                    if (cos <= k_max_cos_of_ways) pairs.push_back({cos, ends[a], ends[b]});
                 }
             std::ranges::stable_sort(pairs, {}, [](const Pair& pair) { return pair.cos; });
             for (const Pair& pair : pairs) {
@@ -167,20 +192,24 @@ private:
 
     const Mesh& mesh_;
     std::span<const Crease> creases_;
+    const LongCall& call_;
     PartRadii radii_;
     std::vector<std::uint32_t> next_;  // Of each end: the end at which the chain goes on.
 };
 
 }  // namespace
 
-std::vector<Crease> clear_creases(const Mesh& mesh, std::span<const Crease> creases) {
-    return CreaseChains(mesh, creases).standing_out();
+std::vector<Crease> clear_creases(const Mesh& mesh, std::span<const Crease> creases,
+                                  const std::stop_token& stop) {
+    const LongCall call{stop, {}};
+    return CreaseChains(mesh, creases, call).standing_out();
 }
 
-std::vector<std::uint8_t> clear_crease_flags(const Mesh& mesh, float min_bend_rad) {
+std::vector<std::uint8_t> clear_crease_flags(const Mesh& mesh, float min_bend_rad,
+                                             const std::stop_token& stop) {
     std::vector<std::uint8_t> flags(mesh.edge_count(), 0);
-    for (const Crease& crease : clear_creases(mesh, find_creases(mesh, min_bend_rad)))
-        flags[index(crease.edge)] = 1;
+    const std::vector<Crease> creases = find_creases(mesh, min_bend_rad, stop);
+    for (const Crease& crease : clear_creases(mesh, creases, stop)) flags[index(crease.edge)] = 1;
     return flags;
 }
 

@@ -16,6 +16,7 @@
 
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "silhouette/mesh/creases.h"
@@ -23,10 +24,13 @@
 namespace rimline {
 
 /// Those of `creases` that stand out, in their order. `creases` are of find_creases(): all that bend by some angle;
-/// 30 degrees is a good one. O(n log n).
-std::vector<Crease> clear_creases(const Mesh& mesh, std::span<const Crease> creases);
+/// 30 degrees is a good one. Throws Error{cancelled} when `stop` is requested. O(n log n).
+std::vector<Crease> clear_creases(const Mesh& mesh, std::span<const Crease> creases,
+                                  const std::stop_token& stop = {});
 
-/// A flag for each edge that bends by `min_bend_rad` and stands out, for LineOptions::shown_creases. The same cost.
-std::vector<std::uint8_t> clear_crease_flags(const Mesh& mesh, float min_bend_rad);
+/// A flag for each edge that bends by `min_bend_rad` and stands out, for LineOptions::shown_creases. Errors and cost as
+/// find_creases() and clear_creases().
+std::vector<std::uint8_t> clear_crease_flags(const Mesh& mesh, float min_bend_rad,
+                                             const std::stop_token& stop = {});
 
 }  // namespace rimline

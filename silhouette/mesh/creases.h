@@ -14,6 +14,7 @@
 // then the largest angle between the first face's plane and another face's plane, in either
 // orientation.
 
+#include <stop_token>
 #include <vector>
 
 #include "silhouette/mesh/mesh.h"
@@ -29,7 +30,9 @@ struct Crease {
 double bend_of(const Mesh& mesh, EdgeId edge);
 
 /// The edges with a bend of at least `min_bend_rad`, sharpest first, equal ones by number. Excludes
-/// borders and edges between faces without a normal. O(edges) plus a sort of the result.
-std::vector<Crease> find_creases(const Mesh& mesh, float min_bend_rad);
+/// borders and edges between faces without a normal. Throws Error{cancelled} when `stop` is requested. O(edges) plus
+/// a sort of the result.
+std::vector<Crease> find_creases(const Mesh& mesh, float min_bend_rad,
+                                 const std::stop_token& stop = {});
 
 }  // namespace rimline

@@ -15,6 +15,8 @@
 #include <span>
 #include <vector>
 
+#include "silhouette/error.h"
+
 namespace rimline {
 
 namespace {
@@ -274,7 +276,9 @@ void add_triangle(AreaGrid& grid, const glm::dvec3& a, const glm::dvec3& b, cons
 // What is measured of one mesh, in two steps: most meshes need the first only.
 class UprightMeasure {
 public:
-    explicit UprightMeasure(const Mesh& mesh) : mesh_(mesh), shape_(unit_shape_of(mesh)) {
+    UprightMeasure(const Mesh& mesh, const std::stop_token& stop)
+        : mesh_(mesh), shape_(unit_shape_of(mesh)), call_{stop, {}} {
+        call_.checkpoint(0.0);
         evidence.extent = shape_.high - shape_.low;
         tbb::parallel_for(0, 3, [&](int axis) { add_axis(axis); });
     }
@@ -292,11 +296,14 @@ public:
 private:
     void add_axis(int axis) {
         const double footprint = area_of(footprint_of(shape_, axis));
+        call_.checkpoint(0.0);
         footprints_[std::size_t(axis)] = footprint;
         if (!(footprint > 0.0)) return;
-        for (int down = 0; down < 2; ++down)
+        for (int down = 0; down < 2; ++down) {
             evidence.standing[std::size_t(2 * axis + down)] =
                 standing_of(shape_, axis, down ? -1.0 : 1.0, footprint, k_contact_share);
+            call_.checkpoint(0.0);
+        }
         if (axis == 1)
             evidence.uneven_y = standing_of(shape_, axis, 1.0, footprint, k_uneven_share);
     }
@@ -315,6 +322,7 @@ private:
 
     const Mesh& mesh_;
     UnitShape shape_;
+    LongCall call_;
     std::array<double, 3> footprints_{};
 };
 
@@ -345,7 +353,7 @@ std::size_t best_standing(const UprightEvidence& evidence) {
 
 UprightEvidence measure_upright(const Mesh& mesh) {
     if (!has_extent(mesh)) return {};
-    UprightMeasure measure(mesh);
+    UprightMeasure measure(mesh, {});
     measure.add_rest();
     return measure.evidence;
 }
@@ -368,9 +376,9 @@ glm::dvec3 choose_upright(const UprightEvidence& evidence) {
     return k_axis_directions[best];
 }
 
-glm::dvec3 choose_upright(const Mesh& mesh) {
+glm::dvec3 choose_upright(const Mesh& mesh, const std::stop_token& stop) {
     if (!has_extent(mesh)) return k_axis_directions[k_y];
-    UprightMeasure measure(mesh);
+    UprightMeasure measure(mesh, stop);
     if (best_standing(measure.evidence) != k_y) measure.add_rest();
     return choose_upright(measure.evidence);
 }

@@ -25,6 +25,7 @@
 #include <array>
 #include <cstddef>
 #include <glm/vec3.hpp>
+#include <stop_token>
 
 #include "silhouette/mesh/mesh.h"
 
@@ -57,7 +58,8 @@ bool is_symmetric_across_alone(const UprightEvidence& evidence, std::size_t axis
 
 /// One of k_axis_directions. +y, unless another one is clearly better.
 glm::dvec3 choose_upright(const UprightEvidence& evidence);
-/// The same for a mesh. Measures no more than the choice needs: 2 ms for 100,000 faces where contacts decide it.
-glm::dvec3 choose_upright(const Mesh& mesh);
+/// The same for a mesh. Measures no more than the choice needs: 2 ms for 100,000 faces where contacts decide it. Throws
+/// Error{cancelled} when `stop` is requested.
+glm::dvec3 choose_upright(const Mesh& mesh, const std::stop_token& stop = {});
 
 }  // namespace rimline

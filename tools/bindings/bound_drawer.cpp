@@ -47,6 +47,7 @@ std::unique_ptr<BoundDrawing> BoundDrawer::draw(const DrawOptions& options, bool
     const Turns::Turn turn(turns_, call);
     const Mesh& mesh = mesh_->mesh();
     LineCameraOptions camera_options = options.camera;
+    camera_options.settle_up(mesh, call.stop);
     camera_options.choose_view(mesh_->name(), mesh, call);
     const LineCamera camera = camera_options.make_camera(mesh_->name(), mesh);
     const ShownPart part = shown_part(camera, mesh, options.page.aspect());
@@ -58,7 +59,8 @@ std::unique_ptr<BoundDrawing> BoundDrawer::draw(const DrawOptions& options, bool
     LineOptions line_options =
         lines.line_options(place.mm_per_unit, std::max(sides_mm.x, sides_mm.y));
     if (!lines.crease_degrees && lines.kinds[std::size_t(LineKind::crease)]) {
-        if (creases_.empty()) creases_ = clear_crease_flags(mesh, line_options.crease_angle_rad);
+        if (creases_.empty())
+            creases_ = clear_crease_flags(mesh, line_options.crease_angle_rad, call.stop);
         line_options.shown_creases = creases_;
     }
 

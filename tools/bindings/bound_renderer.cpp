@@ -42,7 +42,8 @@ Picture BoundRenderer::render(const SharedMesh& shared, RenderOptions& options,
     options.style.check_usage(options.picture);
     options.style.check_lines();
     check_has_extent(shared->name(), mesh);
-    const glm::dvec3 up = settle_up(mesh, options.picture.up, options.picture.is_up_auto).up;
+    const glm::dvec3 up =
+        settle_up(mesh, options.picture.up, options.picture.is_up_auto, call.stop).up;
     const HoughOctree& octree = shared->octree(call);
     const Turns::Turn turn(turns_, call);
     if (std::ranges::find(meshes_, shared) == meshes_.end()) meshes_.push_back(shared);

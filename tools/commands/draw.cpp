@@ -221,6 +221,7 @@ private:
     }
 
     void choose_view(const Mesh& mesh, const Context& context) {
+        camera_.settle_up(mesh, context.stop);
         if (!views_.empty()) return;
         Progress progress(context, "choosing the view");
         camera_.choose_view(model_.model, mesh, progress.call());
@@ -274,7 +275,8 @@ private:
         }
         std::vector<std::uint8_t> clear_creases;
         if (!lines_.crease_degrees && lines_.kinds[std::size_t(LineKind::crease)])
-            clear_creases = clear_crease_flags(mesh, lines_.line_options(1.0).crease_angle_rad);
+            clear_creases =
+                clear_crease_flags(mesh, lines_.line_options(1.0).crease_angle_rad, context.stop);
         LineDrawer drawer(surface);
         for (std::size_t i = 0; i < cameras.size(); ++i) {
             const LineCamera& camera = cameras[i];

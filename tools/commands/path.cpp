@@ -89,7 +89,7 @@ public:
         const Mesh mesh =
             model_.load_drawn_mesh(context, sink ? style_.textures() : TexturePictures::skip);
         context.checkpoint();
-        up_ = settle_up(mesh, picture_.up, picture_.is_up_auto);
+        up_ = settle_up(mesh, picture_.up, picture_.is_up_auto, context.stop);
         const ViewDevice device(model_.model, mesh, picture_, !choice_.no_ratio || sink, context);
         about_model(model_.model, [&] {
             const ChosenViews chosen =

@@ -82,7 +82,7 @@ public:
         const Mesh mesh =
             model_.load_drawn_mesh(context, folder ? style_.textures() : TexturePictures::skip);
         context.checkpoint();
-        up_ = settle_up(mesh, picture_.up, picture_.is_up_auto);
+        up_ = settle_up(mesh, picture_.up, picture_.is_up_auto, context.stop);
         const ViewDevice device(model_.model, mesh, picture_, !choice_.no_ratio || folder, context);
         const ChosenViews chosen = about_model(model_.model, [&] {
             return choose_views(choice_, model_.model, mesh, up_.up, device, 1, context);

@@ -65,6 +65,10 @@ glm::dvec3 LineCameraOptions::up_of(const Mesh& mesh) const {
     return choose_up(mesh, up, is_up_auto).up;
 }
 
+void LineCameraOptions::settle_up(const Mesh& mesh, const std::stop_token& stop) {
+    tools::settle_up(mesh, up, is_up_auto, stop);
+}
+
 void LineCameraOptions::choose_view(const std::string& model, const Mesh& mesh,
                                     const LongCall& call) {
     if (!eye) view.choose(model, mesh, up_of(mesh), call);

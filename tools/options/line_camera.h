@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,8 @@ struct LineCameraOptions {
     bool has_place() const noexcept {
         return eye || view.name || view.azimuth_deg || view.elevation_deg;
     }
+    /// Stores the up direction that the mesh has, where none was given: every later call asks for it.
+    void settle_up(const Mesh& mesh, const std::stop_token& stop);
     /// As `render` chooses it, unless there is an eye: ViewOption::choose(). It comes before make_camera(), or a chosen
     /// view is the default one.
     void choose_view(const std::string& model, const Mesh& mesh, const LongCall& call = {});

@@ -47,16 +47,18 @@ CLI::Option* add_up_or_auto(CLI::App& app, std::optional<glm::vec3>& up, bool& i
         ->type_name("X,Y,Z|AXIS|auto");
 }
 
-ChosenUp choose_up(const Mesh& mesh, const std::optional<glm::vec3>& up, bool is_auto) {
+ChosenUp choose_up(const Mesh& mesh, const std::optional<glm::vec3>& up, bool is_auto,
+                   const std::stop_token& stop) {
     if (up) return {glm::dvec3(*up), ChosenUp::Source::option};
     if (mesh.is_up_known() && !is_auto) return {direction_of(mesh.up()), ChosenUp::Source::format};
-    const glm::dvec3 upright = choose_upright(mesh);
+    const glm::dvec3 upright = choose_upright(mesh, stop);
     const bool is_y = upright == glm::dvec3(0, 1, 0);
     return {upright, is_y ? ChosenUp::Source::assumed : ChosenUp::Source::mesh};
 }
 
-ChosenUp settle_up(const Mesh& mesh, std::optional<glm::vec3>& up, bool is_auto) {
-    const ChosenUp chosen = choose_up(mesh, up, is_auto);
+ChosenUp settle_up(const Mesh& mesh, std::optional<glm::vec3>& up, bool is_auto,
+                   const std::stop_token& stop) {
+    const ChosenUp chosen = choose_up(mesh, up, is_auto, stop);
     up = glm::vec3(chosen.up);
     return chosen;
 }

@@ -5,6 +5,7 @@
 
 #include <glm/vec3.hpp>
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include "silhouette/mesh/mesh.h"
@@ -30,10 +31,12 @@ struct ChosenUp {
     Source source = Source::assumed;
 };
 
-/// What add_up_or_auto() and the mesh say.
-ChosenUp choose_up(const Mesh& mesh, const std::optional<glm::vec3>& up, bool is_auto);
+/// What add_up_or_auto() and the mesh say. Throws Error{cancelled} when `stop` is requested.
+ChosenUp choose_up(const Mesh& mesh, const std::optional<glm::vec3>& up, bool is_auto,
+                   const std::stop_token& stop = {});
 /// The same, and stores it in `up`.
-ChosenUp settle_up(const Mesh& mesh, std::optional<glm::vec3>& up, bool is_auto);
+ChosenUp settle_up(const Mesh& mesh, std::optional<glm::vec3>& up, bool is_auto,
+                   const std::stop_token& stop = {});
 
 /// "option", "format", "mesh" or "assumed".
 const char* up_source_name(ChosenUp::Source source);

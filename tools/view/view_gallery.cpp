@@ -23,7 +23,8 @@ GalleryView gallery_view(const LineSurface& surface, const glm::dvec3& towards_v
     const double pixel = 0.02 * radius;
     LineOptions options{
         .gap = pixel, .min_length = 3.0 * pixel, .stubble = 4.0 * pixel, .simplify = 0.1 * pixel};
-    const std::vector<std::uint8_t> creases = clear_crease_flags(mesh, options.crease_angle_rad);
+    const std::vector<std::uint8_t> creases =
+        clear_crease_flags(mesh, options.crease_angle_rad, call.stop);
     options.shown_creases = creases;
     LineDrawer drawer(surface);
     const LineDrawing& lines =

@@ -6,7 +6,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <stop_token>
 
+#include "silhouette/error.h"
+#include "silhouette/mesh/clear_creases.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 
 namespace rimline {
@@ -83,6 +86,33 @@ TEST_CASE("creases come sharpest first, and a greater angle takes fewer from the
         for (std::size_t i = 0; i < some.size(); ++i) CHECK(some[i].edge == all[i].edge);
         CHECK(all[some.size()].bend_rad < degrees * k_degree);
     }
+}
+
+// Most edges are decided by a cosine, which must not lose one that bends by exactly the angle.
+TEST_CASE("creases are the edges whose bend is at least the angle, to its last bit") {
+    for (const char* name : {"scene", "knot", "terrain"}) {
+        CAPTURE(name);
+        const Mesh mesh(make_built_in_shape(name, 2000));
+        std::vector<float> bends;
+        for (std::uint32_t e = 0; e < mesh.edges_of_class(EdgeClass::border).first; ++e)
+            bends.push_back(static_cast<float>(bend_of(mesh, EdgeId{e})));
+        for (std::size_t i = 0; i < bends.size(); i += 97)
+            for (const float angle : {bends[i], std::nextafter(bends[i], 4.0f)}) {
+                const auto expected = std::ranges::count_if(
+                    bends, [&](float bend) { return bend >= angle && bend > 0.0f; });
+                CHECK(find_creases(mesh, angle).size() == std::size_t(expected));
+            }
+    }
+}
+
+TEST_CASE("a search for creases that is asked to stop says so") {
+    const Mesh mesh(make_built_in_shape("scene", 4000));
+    std::stop_source stop;
+    CHECK(!clear_crease_flags(mesh, 30 * k_degree, stop.get_token()).empty());
+    const std::vector<Crease> creases = find_creases(mesh, 30 * k_degree);
+    stop.request_stop();
+    CHECK_THROWS_WITH_AS(find_creases(mesh, 30 * k_degree, stop.get_token()), "cancelled", Error);
+    CHECK_THROWS_WITH_AS(clear_creases(mesh, creases, stop.get_token()), "cancelled", Error);
 }
 
 }  // namespace

@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <glm/trigonometric.hpp>
 #include <initializer_list>
+#include <stop_token>
 #include <string>
 
+#include "silhouette/error.h"
 #include "silhouette/mesh/formats/mesh_file.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/models.h"
@@ -161,6 +163,14 @@ TEST_CASE("the horse and Nefertiti stand, and models that stand along y stay") {
             found = true;
         }
     if (!found) RIMLINE_SKIP("RIMLINE_MODELS names no folder that holds models");
+}
+
+TEST_CASE("the choice of an up direction that is asked to stop says so") {
+    std::stop_source stop;
+    const Mesh mesh(with_up(animal(), {0, 0, 1}));
+    CHECK(choose_upright(mesh, stop.get_token()) == glm::dvec3(0, 0, 1));
+    stop.request_stop();
+    CHECK_THROWS_WITH_AS(choose_upright(mesh, stop.get_token()), "cancelled", Error);
 }
 
 }  // namespace
