@@ -9,6 +9,7 @@
 #include <numeric>
 #include <optional>
 
+#include "silhouette/lines/cut_part.h"
 #include "silhouette/lines/face_count.h"
 
 namespace rimline {
@@ -25,6 +26,8 @@ constexpr LineStubble::OutlineTest k_is_outline{.gap_share = 0.125, .least_share
 // this spacing, unless they touch.
 constexpr double k_min_square_cos = 0.5;
 constexpr double k_double_spacing = 0.25, k_touching = 0.125;
+// A tail is beside a longer stroke within this share of the gap: the ink of both joins.
+constexpr double k_tail_reach = 0.35;
 constexpr std::uint32_t k_no_stroke = 0xffffffffu;
 
 }  // namespace
@@ -40,12 +43,16 @@ void LineStubble::fill(double gap, const LineDrawing& drawing) {
         std::optional<glm::dvec2> from;
         // A pen goes on from one part to the next.
         for (const StrokePart& part : drawing.parts_of(stroke)) {
-            const std::span<const LinePoint> points = drawing.points_of(part);
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                const glm::dvec2& to =
-                    points[part.is_reversed ? points.size() - 1 - i : i].position;
+            const std::uint32_t count = part.last_point - part.first_point;
+            for (std::uint32_t i = 0; i < count; ++i) {
+                const std::uint32_t point =
+                    part.is_reversed ? part.last_point - 1 - i : part.first_point + i;
+                const glm::dvec2& to = drawing.points[point].position;
                 if (from && (*from != to || i > 0)) {
-                    segments_.push_back({*from, to, s});
+                    // A segment lies on the edge of the point that it leads to in the order of the run.
+                    const EdgeId edge =
+                        drawing.sources[part.is_reversed && i > 0 ? point + 1 : point].edge;
+                    segments_.push_back({*from, to, s, edge});
                     low = glm::min(low, glm::min(*from, to));
                     high = glm::max(high, glm::max(*from, to));
                 }
@@ -247,6 +254,146 @@ bool LineStubble::put_outline_first(const LineFrame& frame, const LineOptions& o
     return true;
 }
 
+bool LineStubble::is_sharp(EdgeId edge, const LineFrame& frame, const LineOptions& options) {
+    return edge == k_no_edge || frame.surface->mesh().edge_class(edge) == EdgeClass::border ||
+           frame.surface->bends_rad()[index(edge)] >= options.crease_angle_rad;
+}
+
+// The length of what is to be cut off at an end; 0 where nothing is. Strokes in stays_ are the longer ones.
+double LineStubble::tail_of(std::uint32_t stroke, bool is_last, const LineFrame& frame,
+                            const LineOptions& options) {
+    const std::uint32_t first = first_segments_[stroke], last = first_segments_[stroke + 1];
+    const double spacing = k_double_spacing * options.gap;
+    double arc = 0.0;
+    bool is_beside = false;
+    free_places_.clear();
+    for (std::uint32_t k = 0; k < last - first; ++k) {
+        const std::uint32_t i = is_last ? last - 1 - k : first + k;
+        const glm::dvec2 from = is_last ? segments_[i].to : segments_[i].from;
+        const glm::dvec2 to = is_last ? segments_[i].from : segments_[i].to;
+        const double length = glm::distance(from, to);
+        const glm::dvec2 way = way_at(i, spacing);
+        const int parts = 1 + static_cast<int>(length / spacing);
+        const bool is_smooth = !is_sharp(segments_[i].edge, frame, options);
+        for (int part = 0; part < parts; ++part) {
+            const double at = arc + length * part / parts;
+            const glm::dvec2 place = glm::mix(from, to, double(part) / parts);
+            if (!is_smooth && !is_beside) return 0.0;
+            if (is_smooth && has_other_along(stroke, way, place, k_tail_reach * options.gap)) {
+                if (!is_beside && !is_tail(stroke, frame, options)) return 0.0;
+                is_beside = true;
+            } else if (is_beside) {
+                return at >= options.gap && at < k_double_lengths * options.stubble ? at : 0.0;
+            } else if (at >= options.stubble) {
+                return 0.0;
+            } else {
+                free_places_.push_back({place, way});
+            }
+        }
+        arc += length;
+    }
+    return is_beside && arc < k_double_lengths * options.stubble ? arc : 0.0;
+}
+
+// Whether no place of free_places_ is all that is drawn of an outline.
+bool LineStubble::is_tail(std::uint32_t stroke, const LineFrame& frame,
+                          const LineOptions& options) const {
+    const double reach = options.smooth + k_has_outline.gap_share * options.gap;
+    return std::ranges::none_of(free_places_, [&](const StrokePlace& at) {
+        const double length = glm::length(at.way);
+        if (!(length > 0.0) || is_held(at.place, stroke, reach)) return false;
+        const glm::dvec2 side = (reach / length) * glm::dvec2(-at.way.y, at.way.x);
+        return !is_covered(*frame.surface, *frame.view, at.place + side) ||
+               !is_covered(*frame.surface, *frame.view, at.place - side);
+    });
+}
+
+double LineStubble::length_of(std::uint32_t stroke) const {
+    double length = 0.0;
+    for (std::uint32_t i = first_segments_[stroke]; i < first_segments_[stroke + 1]; ++i)
+        length += glm::distance(segments_[i].from, segments_[i].to);
+    return length;
+}
+
+// Keeps the stretch from one length along the stroke to another.
+void LineStubble::cut(std::uint32_t stroke, double begin, double end, bool is_orthographic,
+                      LineDrawing& drawing) {
+    // Its segments, for strokes that are shorter.
+    double arc = 0.0;
+    for (std::uint32_t i = first_segments_[stroke]; i < first_segments_[stroke + 1]; ++i) {
+        Segment& segment = segments_[i];
+        const glm::dvec2 from = segment.from, way = segment.to - from;
+        const double length = glm::length(way);
+        if (length > 0.0) {
+            segment.from = from + std::clamp((begin - arc) / length, 0.0, 1.0) * way;
+            segment.to = from + std::clamp((end - arc) / length, 0.0, 1.0) * way;
+        }
+        arc += length;
+    }
+    // Its parts, each of which begins where the pen comes to after a gap.
+    LineStroke& drawn = drawing.strokes[stroke];
+    const std::vector<StrokePart> parts(drawing.stroke_parts.begin() + drawn.first_part,
+                                        drawing.stroke_parts.begin() + drawn.last_part);
+    drawn.first_part = static_cast<std::uint32_t>(drawing.stroke_parts.size());
+    drawn.length = 0.0;
+    arc = 0.0;
+    std::optional<glm::dvec2> before;
+    for (StrokePart part : parts) {
+        const std::uint32_t count = part.last_point - part.first_point;
+        const auto place = [&](std::uint32_t i) {
+            return drawing.points[part.is_reversed ? part.last_point - 1 - i : part.first_point + i]
+                .position;
+        };
+        if (before) arc += glm::distance(*before, place(0));
+        double low = -1.0,
+               high = -1.0;  // Numbers of its points with shares, in the order of the stroke.
+        for (std::uint32_t i = 0; i + 1 < count; ++i) {
+            const double length = glm::distance(place(i), place(i + 1));
+            if (length > 0.0 && arc + length > begin && arc < end) {
+                if (low < 0.0) low = double(i) + std::max(begin - arc, 0.0) / length;
+                high = double(i) + std::min((end - arc) / length, 1.0);
+            }
+            arc += length;
+        }
+        before = place(count - 1);
+        if (!(low >= 0.0 && high > low)) continue;
+        if (low > 0.0 || high < double(count - 1)) {
+            const double last = double(count - 1);
+            drawn.length += part.is_reversed
+                                ? cut_part(last - high, last - low, is_orthographic, part, drawing)
+                                : cut_part(low, high, is_orthographic, part, drawing);
+        } else {
+            drawn.length +=
+                drawing.points[part.last_point - 1].arc - drawing.points[part.first_point].arc;
+        }
+        drawing.stroke_parts.push_back(part);
+    }
+    drawn.last_part = static_cast<std::uint32_t>(drawing.stroke_parts.size());
+}
+
+// Beside strokes that stay, the longest first: a tail is beside a longer one, without the tails of that.
+void LineStubble::cut_tails(const LineFrame& frame, const LineOptions& options,
+                            LineDrawing& drawing) {
+    if (!(options.gap > 0.0)) return;
+    std::ranges::fill(stays_, 0);
+    for (const std::uint32_t s : order_) {
+        if (is_there_[s] == 0) continue;
+        if (is_closed_[s] == 0) {
+            const double length = length_of(s);
+            const double begin = tail_of(s, false, frame, options);
+            const double end = length - (begin < length ? tail_of(s, true, frame, options) : 0.0);
+            // What is left between two tails may be a dot.
+            if (begin >= end || (begin > 0.0 && end < length && end - begin < options.gap)) {
+                is_there_[s] = 0;
+                continue;
+            }
+            if (begin > 0.0 || end < length)
+                cut(s, begin, end, frame.view->is_orthographic(), drawing);
+        }
+        stays_[s] = 1;
+    }
+}
+
 // Strokes that are gone hold no others, so there are rounds.
 void LineStubble::remove(const LineFrame& frame, const LineOptions& options, LineDrawing& drawing) {
     fill(options.gap, drawing);
@@ -276,6 +423,7 @@ void LineStubble::remove(const LineFrame& frame, const LineOptions& options, Lin
         is_done = stays_ == is_there_;
         is_there_ = stays_;
     }
+    cut_tails(frame, options, drawing);
     std::size_t kept = 0;
     for (std::uint32_t s = 0; s < count; ++s)
         if (is_there_[s] != 0) drawing.strokes[kept++] = drawing.strokes[s];

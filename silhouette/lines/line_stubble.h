@@ -8,6 +8,9 @@
 //           of the outline, which has nothing behind it on one side: an outline has no gaps.
 //   double  A stroke that is not much longer, all of it beside longer ones, so near that it would only thicken them. Of
 //           strokes at the outline and beside it, that at the outline stays, also where it is shorter.
+//   tail    The end of a stroke, up to where a longer stroke passes along it, and on as long as it does: where a contour
+//           goes to and fro between faces, pieces of it stick out of it. What is short before the longer stroke, and
+//           no part of the outline. The stroke is cut there. Sharp edges and borders have no tails: they meet in corners.
 
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -25,7 +28,8 @@ public:
     /// Takes strokes out of the drawing until none is stubble. A loose stroke is shorter than LineOptions::stubble
     /// for each loose end; closed ones count as having one. LineOptions::gap is how near strokes are to each other
     /// that meet, or that look like one. O(points + pairs of points and segments that share a cell) a round; there
-    /// are few rounds. And a ray for each place of a loose stroke on both sides of it.
+    /// are few rounds. And a ray for each place of a loose stroke and of a tail on both sides of it. Adds points to the
+    /// drawing for strokes that are cut.
     void remove(const LineFrame& frame, const LineOptions& options, LineDrawing& drawing);
 
     /// When a stroke is at the outline: beside the least share of its places (of one at least) there is nothing, at
@@ -38,6 +42,11 @@ private:
     struct Segment {
         glm::dvec2 from, to;
         std::uint32_t stroke;
+        EdgeId edge;  // That it lies on, or that the next one does.
+    };
+
+    struct StrokePlace {
+        glm::dvec2 place, way;
     };
 
     static glm::dvec2 nearest_on(const Segment& segment, const glm::dvec2& place);
@@ -48,6 +57,15 @@ private:
     void keep_bridges(const LineOptions& options);
     bool is_at_outline(std::uint32_t stroke, const LineFrame& frame, const LineOptions& options,
                        const OutlineTest& test) const;
+    void cut_tails(const LineFrame& frame, const LineOptions& options, LineDrawing& drawing);
+    // Whether the mesh is not smooth there.
+    static bool is_sharp(EdgeId edge, const LineFrame& frame, const LineOptions& options);
+    double tail_of(std::uint32_t stroke, bool is_last, const LineFrame& frame,
+                   const LineOptions& options);
+    bool is_tail(std::uint32_t stroke, const LineFrame& frame, const LineOptions& options) const;
+    double length_of(std::uint32_t stroke) const;
+    void cut(std::uint32_t stroke, double begin, double end, bool is_orthographic,
+             LineDrawing& drawing);
     void choose_staying(const LineOptions& options);
     bool put_outline_first(const LineFrame& frame, const LineOptions& options);
     bool is_double(std::uint32_t stroke, const LineOptions& options) const;
@@ -71,6 +89,7 @@ private:
     static Answer answer(bool is_so) noexcept { return is_so ? Answer::yes : Answer::no; }
     std::vector<Answer> has_outline_,
         is_outline_;  // Of each stroke, with a part of the outline, and most of it.
+    std::vector<StrokePlace> free_places_;  // Of an end, before a longer stroke passes along it.
     std::vector<std::uint32_t> held_ends_, order_, queue_, neighbors_;
 };
 

@@ -23,6 +23,8 @@ namespace {
 // crosses a line at 20 degrees is within reach of it for less.
 constexpr double k_step = 0.25, k_min_double = 6.0;
 constexpr double k_max_steps = 2e6;
+// What is beside a step and so far from it along the line is on the other side of a fold.
+constexpr double k_min_fold = 3.0;
 // The direction of a line is that over so many steps to both sides: lines of scans are not straight.
 constexpr std::size_t k_direction_steps = 3;
 // Doubles run in about the same direction, and beside each other: within 30 degrees, unless they touch.
@@ -112,6 +114,9 @@ private:
                                   k + 1 == count});
         }
         begins_.push_back(steps_.size());
+        double arc = 0.0;
+        for (std::size_t i = first; i < steps_.size(); ++i)
+            arcs_.push_back(arc += glm::distance(steps_[i].from, steps_[i].to));
         for (std::size_t i = first; i < steps_.size(); ++i) {
             const std::size_t begin = i - std::min(i - first, k_direction_steps);
             const std::size_t end = std::min(i + k_direction_steps, steps_.size() - 1);
@@ -136,13 +141,31 @@ private:
 
     // Whether another line that stays passes beside the step.
     bool is_beside_other(const Step& own) const {
+        return is_beside(own, [&](std::uint32_t i) { return steps_[i].line != own.line; });
+    }
+
+    // Whether the line itself does, more than k_min_fold along it away from there: it turns back.
+    bool is_beside_itself(std::uint32_t own) const {
+        const std::uint32_t line = steps_[own].line;
+        const double length = arcs_[begins_[line + 1] - 1];
+        return is_beside(steps_[own], [&](std::uint32_t i) {
+            if (steps_[i].line != line) return false;
+            const double between = std::abs(arcs_[i] - arcs_[own]);
+            return (lines_[line].is_closed ? std::min(between, length - between) : between) >
+                   k_min_fold * reach_;
+        });
+    }
+
+    // Whether one of the steps that stay and are asked for passes beside the step.
+    template <typename IsAsked>
+    bool is_beside(const Step& own, IsAsked&& is_asked) const {
         const glm::dvec2 place = glm::mix(own.from, own.to, 0.5);
         bool found = false;
         grid_.each_cell(place, place, [&](std::uint32_t cell) {
             for (const std::uint32_t i : grid_.segments_in(cell)) {
                 if (found) return;
                 const Step& other = steps_[i];
-                if (is_there_[i] == 0 || other.line == own.line) continue;
+                if (is_there_[i] == 0 || !is_asked(i)) continue;
                 if (square(glm::dot(own.direction, other.direction)) < k_min_square_cos) continue;
                 const glm::dvec2 way = other.to - other.from;
                 const double share = glm::dot(place - other.from, way) / glm::dot(way, way);
@@ -179,29 +202,38 @@ private:
         std::vector<std::uint8_t> stays(count);
         for (std::size_t i = 0; i < count; ++i)
             stays[i] = is_beside_other(steps_[begin + i]) ? 0 : 1;
-        const auto stayer = std::ranges::find(stays, 1);
-        // Short doubles stay, if not all of the line is one.
-        if (stayer != stays.end()) {
-            const std::size_t start =
-                lines_[line].is_closed ? std::size_t(stayer - stays.begin()) : 0;
-            for (std::size_t i = 0; i < count;) {
-                double length = 0.0;
-                std::size_t end = i;
-                for (; end < count && stays[(start + end) % count] == 0; ++end) {
-                    const Step& step = steps_[begin + (start + end) % count];
-                    length += glm::distance(step.from, step.to);
-                }
-                if (length < k_min_double * reach_)
-                    for (std::size_t k = i; k < end; ++k) stays[(start + k) % count] = 1;
-                i = std::max(end, i + 1);
-            }
+        keep_short_doubles(line, stays);
+        // Then what runs beside an earlier part of the line.
+        for (std::size_t i = 0; i < count; ++i) {
+            if (stays[i] != 0 && is_beside_itself(static_cast<std::uint32_t>(begin + i)))
+                stays[i] = 0;
+            is_there_[begin + i] = stays[i];
         }
-        std::ranges::copy(stays, is_there_.begin() + std::ptrdiff_t(begin));
+    }
+
+    // Short doubles stay, if not all of the line is one.
+    void keep_short_doubles(std::size_t line, std::vector<std::uint8_t>& stays) const {
+        const std::size_t begin = begins_[line], count = stays.size();
+        const auto stayer = std::ranges::find(stays, 1);
+        if (stayer == stays.end()) return;
+        const std::size_t start = lines_[line].is_closed ? std::size_t(stayer - stays.begin()) : 0;
+        for (std::size_t i = 0; i < count;) {
+            double length = 0.0;
+            std::size_t end = i;
+            for (; end < count && stays[(start + end) % count] == 0; ++end) {
+                const Step& step = steps_[begin + (start + end) % count];
+                length += glm::distance(step.from, step.to);
+            }
+            if (length < k_min_double * reach_)
+                for (std::size_t k = i; k < end; ++k) stays[(start + k) % count] = 1;
+            i = std::max(end, i + 1);
+        }
     }
 
     std::span<const PageLine> lines_;
     double reach_, step_ = 0.0;
     std::vector<Step> steps_;
+    std::vector<double> arcs_;            // Of the line, up to the end of each step.
     std::vector<std::size_t> begins_{0};  // Of each line in steps_, and their end.
     std::vector<std::uint8_t> is_there_;  // Of each step.
     PictureGrid grid_;

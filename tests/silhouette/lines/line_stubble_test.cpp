@@ -84,7 +84,8 @@ private:
 // A drawing without stubble, and which of its strokes a drawing with stubble keeps.
 struct StubblePair {
     LineDrawing all;
-    std::vector<DrawnStroke> strokes;
+    std::vector<DrawnStroke> strokes,
+        left;  // Without stubble: those that are kept, without their tails.
     std::vector<std::uint8_t> is_kept;
     std::size_t kept = 0;
 
@@ -95,15 +96,19 @@ struct StubblePair {
         all = drawer.draw(view, silhouette, options);
         options.stubble = stubble;
         const LineDrawing& less = drawer.draw(view, silhouette, options);
-        REQUIRE(less.points.size() == all.points.size());
+        REQUIRE(less.points.size() >= all.points.size());
         REQUIRE(less.runs.size() == all.runs.size());
         REQUIRE(less.chains.size() == all.chains.size());
-        std::set<std::uint32_t> first_runs;
-        for (const LineStroke& stroke : less.strokes)
-            first_runs.insert(less.parts_of(stroke).front().run);
+        std::set<std::uint32_t> kept_runs;
+        for (const LineStroke& stroke : less.strokes) {
+            left.emplace_back(less, stroke);
+            for (const StrokePart& part : less.parts_of(stroke)) kept_runs.insert(part.run);
+        }
         for (const LineStroke& stroke : all.strokes) {
             strokes.emplace_back(all, stroke);
-            is_kept.push_back(first_runs.contains(all.parts_of(stroke).front().run) ? 1 : 0);
+            is_kept.push_back(std::ranges::any_of(
+                all.parts_of(stroke),
+                [&](const StrokePart& part) { return kept_runs.contains(part.run); }));
             kept += is_kept.back();
         }
         REQUIRE(kept == less.strokes.size());
@@ -145,7 +150,7 @@ void each_stubbly_view(Visit&& visit) {
     }
 }
 
-TEST_CASE("only short strokes with loose ends and doubles are stubble") {
+TEST_CASE("only short strokes with loose ends and doubles and tails of doubles are stubble") {
     std::size_t loose = 0, doubles = 0, kept = 0;
     each_stubbly_view([&](const LineSurface&, const LineView&, const LineOptions& options,
                           const StubblePair& pair) {
@@ -167,11 +172,15 @@ TEST_CASE("only short strokes with loose ends and doubles are stubble") {
                 continue;
             }
             ++doubles;
+            // Beside others, but for a tail at each end.
+            double bare = 0.0;
             for (const StrokePlace& place : stroke.places(0.5 * options.gap))
-                CHECK(pair.passes_near(place.position, options.gap * 1.5, [&](std::size_t i) {
-                    return i != s &&
-                           (pair.is_kept[i] != 0 || pair.strokes[i].length >= stroke.length);
-                }));
+                if (!pair.passes_near(place.position, options.gap * 1.5, [&](std::size_t i) {
+                        return i != s &&
+                               (pair.is_kept[i] != 0 || pair.strokes[i].length >= stroke.length);
+                    }))
+                    bare += 0.5 * options.gap;
+            CHECK(bare < 2.0 * options.stubble);
         }
     });
     CHECK(kept > 100);
@@ -202,15 +211,14 @@ TEST_CASE("outlines have no gaps where stubble was") {
                           const LineOptions& options, const StubblePair& pair) {
         const double spacing = options.stubble / 32.0;
         for (std::size_t s = 0; s < pair.strokes.size(); ++s) {
-            if (pair.is_kept[s] != 0) continue;
             double bare = 0.0;
             for (const StrokePlace& place : pair.strokes[s].places(spacing)) {
                 const bool is_outline = is_at_background(surface, view, place, 0.5 * options.gap);
-                of_removed += is_outline;
+                of_removed += is_outline && pair.is_kept[s] == 0;
                 const bool is_bare =
-                    is_outline &&
-                    !pair.passes_near(place.position, options.gap,
-                                      [&](std::size_t i) { return pair.is_kept[i] != 0; });
+                    is_outline && std::ranges::none_of(pair.left, [&](const DrawnStroke& stroke) {
+                        return stroke.distance_to(place.position) <= options.gap;
+                    });
                 bare = is_bare ? bare + spacing : 0.0;
                 CHECK(bare <= 0.25 * options.stubble);
             }
@@ -244,12 +252,14 @@ public:
           surface_(mesh_),
           view_(LineView::orthographic({0, 0, 5}, {0, 0, 0}, {0, 1, 0})) {}
 
-    // How many of these lines stay, and whether the first one does.
+    // How many of these lines stay, whether the first one does, and where it begins and ends then.
     struct Kept {
         std::size_t count;
         bool is_first_kept;
+        glm::dvec2 from, to;
     };
-    Kept keep(const std::vector<Polyline>& lines) const {
+    // By default they lie on the diagonal of the square, which does not bend.
+    Kept keep(const std::vector<Polyline>& lines, EdgeId edge = EdgeId{0}) const {
         LineDrawing drawing;
         for (std::uint32_t i = 0; i < lines.size(); ++i) {
             const auto first = static_cast<std::uint32_t>(drawing.points.size());
@@ -259,6 +269,7 @@ public:
                 drawing.points.push_back({lines[i][k], 0.0, length});
             }
             const auto last = static_cast<std::uint32_t>(drawing.points.size());
+            drawing.sources.resize(last, {edge, 0.0f});
             drawing.runs.push_back({i, first, last, 0, length});
             drawing.stroke_parts.push_back(drawing.whole(i, false));
             drawing.strokes.push_back({i, i + 1, lines[i].front() == lines[i].back(), length});
@@ -270,8 +281,12 @@ public:
         options.stubble = 1.0;
         options.gap = 0.1;
         LineStubble().remove(frame, options, drawing);
-        return {drawing.strokes.size(),
-                !drawing.strokes.empty() && drawing.strokes[0].first_part == 0};
+        if (drawing.strokes.empty() || drawing.parts_of(drawing.strokes[0])[0].run != 0)
+            return {drawing.strokes.size(), false, {}, {}};
+        const auto points = drawing.points_of(drawing.parts_of(drawing.strokes[0])[0]);
+        CHECK(drawing.strokes[0].length == doctest::Approx(points.back().arc - points.front().arc));
+        CHECK(drawing.sources.size() == drawing.points.size());
+        return {drawing.strokes.size(), true, points.front().position, points.back().position};
     }
 
 private:
@@ -377,6 +392,54 @@ TEST_CASE("a short stroke at an outline stays") {
     CHECK(strokes.keep({horizontal(0, 0.5, -9.97)}).count == 1);
     // Its last fifth is before the background.
     CHECK(strokes.keep({horizontal(8.72, 10.2, 0)}).count == 1);
+}
+
+TEST_CASE("the tail of a stroke that branches off a longer one goes") {
+    const StrokesBeforeSquare strokes;
+    const Polyline longer = horizontal(-8, 8, 0);
+    const auto branch = [](double length, double y) {
+        return Polyline{{1, y + 0.02}, {2, y + 0.02}, {2 + length, y + 0.02 + 0.5 * length}};
+    };
+    CHECK(strokes.keep({branch(0.7, 0), longer}).count == 1);
+    // Longer than the stubble: it stays without what runs beside the longer one.
+    const StrokesBeforeSquare::Kept free = strokes.keep({branch(2.0, 0), longer});
+    REQUIRE(free.is_first_kept);
+    CHECK(free.from.x > 1.95);
+    CHECK(free.from.y < 0.06);
+    CHECK(free.to == glm::dvec2(4.0, 1.02));
+    // In the other order of its points.
+    Polyline turned = branch(2.0, 0);
+    std::ranges::reverse(turned);
+    const StrokesBeforeSquare::Kept back = strokes.keep({turned, longer});
+    CHECK(glm::distance(back.to, free.from) < 1e-12);
+    CHECK(back.from == free.to);
+    // What runs beside it at both ends, and what is between is as far away as a bow.
+    const Polyline bow{{0, 0.02}, {1, 0.02}, {1.5, 0.3}, {2, 0.3}, {2.5, 0.02}, {3.5, 0.02}};
+    const StrokesBeforeSquare::Kept middle = strokes.keep({bow, longer});
+    CHECK(middle.count == 2);
+    CHECK(middle.from.x > 0.95);
+    CHECK(middle.to.x < 2.55);
+    // Borders and intersections of faces meet others in corners.
+    for (const EdgeId edge : {EdgeId{1}, k_no_edge}) {
+        const StrokesBeforeSquare::Kept sharp = strokes.keep({branch(2.0, 0), longer}, edge);
+        CHECK(sharp.from == glm::dvec2(1, 0.02));
+        CHECK(sharp.to == free.to);
+    }
+    // One that meets the longer line across it, or only crosses it, is whole.
+    CHECK(strokes.keep({vertical(1, 0, 3), longer}).from == glm::dvec2(1, 0));
+    CHECK(strokes.keep({vertical(1, -0.5, 3), longer}).from == glm::dvec2(1, -0.5));
+}
+
+TEST_CASE("a tail that is the outline stays") {
+    const StrokesBeforeSquare strokes;
+    const Polyline longer = horizontal(-8, 8, 9.85);
+    const Polyline outer{{1, 9.87}, {2, 9.87}, {2.2, 10}, {2.7, 10}};
+    const StrokesBeforeSquare::Kept kept = strokes.keep({outer, longer});
+    REQUIRE(kept.is_first_kept);
+    CHECK(kept.to == glm::dvec2(2.7, 10));
+    Polyline inner = outer;
+    for (glm::dvec2& point : inner) point.y -= 5;
+    CHECK(strokes.keep({inner, horizontal(-8, 8, 4.85)}).count == 1);
 }
 
 }  // namespace

@@ -114,6 +114,26 @@ TEST_CASE("only what goes on behind a line's end is left of a hidden line") {
     CHECK(lines[1].points[1] == glm::dvec2(30, 0.25));
 }
 
+TEST_CASE("a hidden line that turns back on itself is drawn once") {
+    // Forth, back and forth again, then on: what is left covers all of it, each place once.
+    const Lines lines =
+        without_doubles({hidden({{0, 0}, {20, 0}, {6, 0.2}, {20, 0.4}, {30, 0.4}})}, 1.0);
+    double length = 0.0, from = 30.0, to = 0.0;
+    for (const PageLine& line : lines) {
+        length += line.length_mm();
+        for (const glm::dvec2& point : line.points)
+            from = std::min(from, point.x), to = std::max(to, point.x);
+    }
+    CHECK(length > 29.5);
+    CHECK(length < 32.0);
+    CHECK(from == 0.0);
+    CHECK(to == 30.0);
+    // A bend that is wider than the reach is none, nor is a line that crosses itself.
+    const Points bend{{0, 0}, {10, 0}, {10, 0.7}, {0, 0.7}}, knot{{0, 0}, {9, 0}, {6, 5}, {3, -5}};
+    CHECK(without_doubles({hidden(bend)})[0].points == bend);
+    CHECK(without_doubles({hidden(knot)})[0].points == knot);
+}
+
 TEST_CASE("rests keep the points of the line and short ones are left out") {
     // Beside the visible lines it is a double; the part between them is 4 mm long.
     const Points points{{0, 0.25}, {10, 0.25}, {12, 1.5}, {14, 0.25}, {24, 0.25}};
