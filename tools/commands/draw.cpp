@@ -307,6 +307,7 @@ private:
                 .min_length_mm = lines_.min_length_mm.value_or(DrawnLines::k_min_hidden_mm),
                 .simplify_mm = has_edges || materials ? lines_.simplify_mm : 0.0,
                 .double_mm = lines_.double_mm(),
+                .visible_double_mm = lines_.visible_double_mm(),
                 .curve_mm = has_curves(format) ? lines_.curve_mm : 0.0,
                 .frame = {},
                 .mesh = has_edges ? &mesh : nullptr,

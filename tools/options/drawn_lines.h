@@ -45,6 +45,8 @@ struct DrawnLines {
     void check_usage(bool has_curves) const;
     /// PageLineOptions::double_mm. What is not drawn need not be looked at.
     double double_mm() const { return keeps_coincident || !draws_hidden() ? 0.0 : gap_mm; }
+    /// PageLineOptions::visible_double_mm: a tenth of a fine pen.
+    double visible_double_mm() const { return keeps_coincident ? 0.0 : 0.03; }
     bool draws_hidden() const { return hidden != "none"; }
     /// `mm_per_unit` of picture coordinates, and the longer side of the drawing.
     LineOptions line_options(double mm_per_unit,

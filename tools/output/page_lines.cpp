@@ -7,7 +7,7 @@
 #include <span>
 
 #include "silhouette/lines/line_simplify.h"
-#include "tools/output/hidden_doubles.h"
+#include "tools/output/page_doubles.h"
 
 namespace rimline::tools {
 
@@ -256,6 +256,8 @@ void add_page_lines(const LineDrawing& drawing, const ViewPlace& place,
     const std::size_t first = lines.size();
     maker.add_strokes();
     maker.add_hidden_lines();
+    if (options.visible_double_mm > 0.0)
+        leave_out_visible_doubles(lines, first, options.visible_double_mm);
     if (options.double_mm > 0.0)
         leave_out_hidden_doubles(lines, first, options.double_mm, options.min_length_mm);
     if (options.curve_mm > 0.0)

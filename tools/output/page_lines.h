@@ -29,8 +29,9 @@ struct PageLineOptions {
     double min_length_mm = 0.0;             ///< Shorter hidden lines are left out.
     /// Points are left out where the line moves by at most this. For drawings whose runs have all points.
     double simplify_mm = 0.0;
-    /// Greater than 0: hidden lines that run beside others, this near, are left out (hidden_doubles.h).
+    /// Greater than 0: hidden lines that run beside others, this near, are left out (page_doubles.h).
     double double_mm = 0.0;
+    double visible_double_mm = 0.0;  ///< The same of visible lines, which are nearly one.
     double curve_mm = 0.0;  ///< Greater than 0: curves that leave the points by at most this.
     std::optional<PictureRectangle> frame;  ///< Lines end at its borders.
     const Mesh* mesh = nullptr;             ///< If set, PageLine::edges is.

@@ -1,4 +1,4 @@
-#include "tools/output/hidden_doubles.h"
+#include "tools/output/page_doubles.h"
 
 #include <doctest/doctest.h>
 
@@ -16,7 +16,7 @@ using tools::PageLine;
 namespace {
 
 using Points = std::vector<glm::dvec2>;
-using Lines = std::vector<PageLine>;
+using PenLines = std::vector<PageLine>;
 
 constexpr double k_reach = 0.5;
 
@@ -32,7 +32,7 @@ PageLine line(bool is_hidden, const Points& points, bool is_closed = false) {
 PageLine visible(const Points& points) { return line(false, points); }
 PageLine hidden(const Points& points) { return line(true, points); }
 
-Lines without_doubles(Lines lines, double min_length_mm = 0.0) {
+PenLines without_doubles(PenLines lines, double min_length_mm = 0.0) {
     tools::leave_out_hidden_doubles(lines, 0, k_reach, min_length_mm);
     return lines;
 }
@@ -48,7 +48,7 @@ double distance_to(const PageLine& line, const glm::dvec2& place) {
     return nearest;
 }
 
-double distance_to(const Lines& lines, const glm::dvec2& place) {
+double distance_to(const PenLines& lines, const glm::dvec2& place) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const PageLine& line : lines) nearest = std::min(nearest, distance_to(line, place));
     return nearest;
@@ -57,8 +57,9 @@ double distance_to(const Lines& lines, const glm::dvec2& place) {
 }  // namespace
 
 TEST_CASE("a hidden line beside a visible one is left out, and one further away is not") {
-    const Lines lines = without_doubles({visible({{0, 0}, {20, 0}}), hidden({{2, 0.4}, {9, 0.4}}),
-                                         hidden({{2, -0.6}, {9, -0.6}}), hidden({{2, 0}, {9, 0}})});
+    const PenLines lines =
+        without_doubles({visible({{0, 0}, {20, 0}}), hidden({{2, 0.4}, {9, 0.4}}),
+                         hidden({{2, -0.6}, {9, -0.6}}), hidden({{2, 0}, {9, 0}})});
     REQUIRE(lines.size() == 2);
     CHECK_FALSE(lines[0].is_hidden);
     CHECK(lines[1].points == Points{{2, -0.6}, {9, -0.6}});
@@ -80,7 +81,7 @@ TEST_CASE("visible lines stay beside each other") {
 }
 
 TEST_CASE("of hidden lines beside each other the longest stays") {
-    const Lines lines = without_doubles(
+    const PenLines lines = without_doubles(
         {hidden({{2, 0.4}, {9, 0.4}}), hidden({{0, 0}, {20, 0}}), hidden({{3, -0.4}, {11, -0.4}})});
     REQUIRE(lines.size() == 1);
     CHECK(lines[0].points == Points{{0, 0}, {20, 0}});
@@ -88,7 +89,7 @@ TEST_CASE("of hidden lines beside each other the longest stays") {
 
 TEST_CASE("what was left out covers nothing") {
     // The second is beside the first, the third only beside the second.
-    const Lines lines = without_doubles(
+    const PenLines lines = without_doubles(
         {visible({{0, 0}, {20, 0}}), hidden({{1, 0.4}, {18, 0.4}}), hidden({{2, 0.8}, {9, 0.8}})});
     REQUIRE(lines.size() == 2);
     CHECK(lines[1].points == Points{{2, 0.8}, {9, 0.8}});
@@ -96,7 +97,7 @@ TEST_CASE("what was left out covers nothing") {
 
 TEST_CASE("lines that cross or meet others stay whole") {
     const Points crossing{{-10, -6}, {10, 6}}, meeting{{0, 8}, {0, 0}}, slanted{{3, 5}, {0, 0}};
-    const Lines lines = without_doubles(
+    const PenLines lines = without_doubles(
         {visible({{-20, 0}, {20, 0}}), hidden(crossing), hidden(meeting), hidden(slanted)});
     REQUIRE(lines.size() == 4);
     CHECK(lines[1].points == crossing);
@@ -105,7 +106,7 @@ TEST_CASE("lines that cross or meet others stay whole") {
 }
 
 TEST_CASE("only what goes on behind a line's end is left of a hidden line") {
-    const Lines lines =
+    const PenLines lines =
         without_doubles({visible({{0, 0}, {10, 0}}), hidden({{1, 0.25}, {8, 0.25}, {30, 0.25}})});
     REQUIRE(lines.size() == 2);
     REQUIRE(lines[1].points.size() == 2);
@@ -116,7 +117,7 @@ TEST_CASE("only what goes on behind a line's end is left of a hidden line") {
 
 TEST_CASE("a hidden line that turns back on itself is drawn once") {
     // Forth, back and forth again, then on: what is left covers all of it, each place once.
-    const Lines lines =
+    const PenLines lines =
         without_doubles({hidden({{0, 0}, {20, 0}, {6, 0.2}, {20, 0.4}, {30, 0.4}})}, 1.0);
     double length = 0.0, from = 30.0, to = 0.0;
     for (const PageLine& line : lines) {
@@ -134,11 +135,31 @@ TEST_CASE("a hidden line that turns back on itself is drawn once") {
     CHECK(without_doubles({hidden(knot)})[0].points == knot);
 }
 
+TEST_CASE("of visible lines that are nearly one the longest stays, beside hidden ones all") {
+    PenLines lines{visible({{0, 0}, {20, 0}}), visible({{2, 0.02}, {9, -0.02}}),
+                   visible({{15, 0.02}, {30, 0.02}}), visible({{2, 0.06}, {9, 0.06}}),
+                   hidden({{0, 0}, {20, 0}})};
+    tools::leave_out_visible_doubles(lines, 0, 0.03);
+    REQUIRE(lines.size() == 4);
+    CHECK(lines[0].points == Points{{0, 0}, {20, 0}});
+    CHECK(!lines[1].is_hidden);
+    CHECK(lines[1].points.front().x > 19.9);
+    CHECK(lines[1].points.front().x < 20.05);
+    CHECK(lines[1].points.back() == glm::dvec2(30, 0.02));
+    CHECK(lines[2].points == Points{{2, 0.06}, {9, 0.06}});
+    CHECK(lines[3].is_hidden);
+    CHECK(lines[3].points.size() == 2);
+    // A corner stays one.
+    PenLines corner{visible({{0, 0}, {20, 0}}), visible({{0, 0}, {20, 3}})};
+    tools::leave_out_visible_doubles(corner, 0, 0.03);
+    CHECK(corner[1].points == Points{{0, 0}, {20, 3}});
+}
+
 TEST_CASE("rests keep the points of the line and short ones are left out") {
     // Beside the visible lines it is a double; the part between them is 4 mm long.
     const Points points{{0, 0.25}, {10, 0.25}, {12, 1.5}, {14, 0.25}, {24, 0.25}};
-    const Lines with = {visible({{0, 0}, {10, 0}}), visible({{14, 0}, {24, 0}}), hidden(points)};
-    const Lines lines = without_doubles(with);
+    const PenLines with = {visible({{0, 0}, {10, 0}}), visible({{14, 0}, {24, 0}}), hidden(points)};
+    const PenLines lines = without_doubles(with);
     REQUIRE(lines.size() == 3);
     const Points& rest = lines[2].points;
     CHECK(std::ranges::find(rest, points[2]) != rest.end());
@@ -153,7 +174,7 @@ TEST_CASE("a closed hidden line is cut where it passes beside others, wherever i
         CAPTURE(start);
         Points turned = corners;
         std::rotate(turned.begin(), turned.begin() + std::ptrdiff_t(start), turned.end());
-        const Lines lines =
+        const PenLines lines =
             without_doubles({visible({{-5, 0.3}, {15, 0.3}}), line(true, turned, true)});
         REQUIRE(lines.size() == 2);
         CHECK_FALSE(lines[1].is_closed);
@@ -162,7 +183,8 @@ TEST_CASE("a closed hidden line is cut where it passes beside others, wherever i
         CHECK(distance_to(lines, {10, 5}) == 0.0);
     }
     // Away from others, it stays closed.
-    const Lines lines = without_doubles({visible({{-5, 3}, {-5, 9}}), line(true, corners, true)});
+    const PenLines lines =
+        without_doubles({visible({{-5, 3}, {-5, 9}}), line(true, corners, true)});
     CHECK(lines[1].is_closed);
     CHECK(lines[1].points == corners);
 }
@@ -173,7 +195,7 @@ TEST_CASE("whatever is left out of random bundles lies beside what stays") {
     std::size_t cut = 0;
     for (int round = 0; round < 60; ++round) {
         CAPTURE(round);
-        Lines lines;
+        PenLines lines;
         for (int bundle = 0; bundle < 3; ++bundle) {
             const glm::dvec2 from(place(random), place(random)), to(place(random), place(random));
             const double bend = 8.0 * noise(random);
@@ -190,7 +212,7 @@ TEST_CASE("whatever is left out of random bundles lies beside what stays") {
                 lines.push_back(line(i > 1, points, i == 3));
             }
         }
-        const Lines rest = without_doubles(lines);
+        const PenLines rest = without_doubles(lines);
         double before = 0.0, after = 0.0;
         for (const PageLine& each : lines) before += each.length_mm();
         for (const PageLine& each : rest) {

@@ -1,4 +1,4 @@
-#include "tools/output/hidden_doubles.h"
+#include "tools/output/page_doubles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,9 +32,11 @@ constexpr double k_min_square_cos = 0.75, k_touching = 0.125;
 
 double square(double x) { return x * x; }
 
-class HiddenDoubles {
+class PageDoubles {
 public:
-    HiddenDoubles(std::span<const PageLine> lines, double reach) : lines_(lines), reach_(reach) {
+    // Of hidden lines or of visible ones.
+    PageDoubles(std::span<const PageLine> lines, bool are_hidden, double reach)
+        : lines_(lines), are_hidden_(are_hidden), reach_(reach) {
         double length = 0.0;
         for (const PageLine& line : lines) length += line.length_mm();
         step_ = std::max(k_step * reach, length / k_max_steps);
@@ -44,6 +46,7 @@ public:
     }
 
     bool is_whole(std::size_t line) const {
+        if (lines_[line].is_hidden != are_hidden_) return true;
         const std::span<const std::uint8_t> there = there_in(line);
         return std::ranges::find(there, 0) == there.end();
     }
@@ -66,7 +69,7 @@ public:
             const Step& step = steps_[begins_[number] + at];
             if (last == nullptr) {
                 rest.push_back({.kind = line.kind,
-                                .is_hidden = true,
+                                .is_hidden = line.is_hidden,
                                 .is_closed = false,
                                 .points = {step.from},
                                 .curves = {},
@@ -186,9 +189,9 @@ private:
         std::vector<double> lengths(lines_.size());
         for (std::size_t line = 0; line < lines_.size(); ++line) {
             lengths[line] = lines_[line].length_mm();
-            if (lines_[line].is_hidden)
+            if (lines_[line].is_hidden == are_hidden_)
                 order.push_back(line);
-            else
+            else if (are_hidden_)
                 std::fill(is_there_.begin() + std::ptrdiff_t(begins_[line]),
                           is_there_.begin() + std::ptrdiff_t(begins_[line + 1]), 1);
         }
@@ -231,6 +234,7 @@ private:
     }
 
     std::span<const PageLine> lines_;
+    bool are_hidden_;
     double reach_, step_ = 0.0;
     std::vector<Step> steps_;
     std::vector<double> arcs_;            // Of the line, up to the end of each step.
@@ -239,13 +243,11 @@ private:
     PictureGrid grid_;
 };
 
-}  // namespace
-
-void leave_out_hidden_doubles(std::vector<PageLine>& lines, std::size_t first, double reach_mm,
-                              double min_length_mm) {
+void leave_out(std::vector<PageLine>& lines, std::size_t first, bool are_hidden, double reach_mm,
+               double min_length_mm) {
     const std::span<PageLine> all = std::span(lines).subspan(first);
-    if (std::ranges::none_of(all, &PageLine::is_hidden)) return;
-    const HiddenDoubles doubles(all, reach_mm);
+    if (std::ranges::find(all, are_hidden, &PageLine::is_hidden) == all.end()) return;
+    const PageDoubles doubles(all, are_hidden, reach_mm);
     std::vector<PageLine> left;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (doubles.is_whole(i)) {
@@ -257,6 +259,17 @@ void leave_out_hidden_doubles(std::vector<PageLine>& lines, std::size_t first, d
     }
     lines.erase(lines.begin() + std::ptrdiff_t(first), lines.end());
     std::ranges::move(left, std::back_inserter(lines));
+}
+
+}  // namespace
+
+void leave_out_hidden_doubles(std::vector<PageLine>& lines, std::size_t first, double reach_mm,
+                              double min_length_mm) {
+    leave_out(lines, first, true, reach_mm, min_length_mm);
+}
+
+void leave_out_visible_doubles(std::vector<PageLine>& lines, std::size_t first, double reach_mm) {
+    leave_out(lines, first, false, reach_mm, k_min_double * reach_mm);
 }
 
 }  // namespace rimline::tools

@@ -1,7 +1,11 @@
 #pragma once
 
-// Hidden lines beside others. Surfaces seen edge-on have many hidden lines within the width of a pen: their dashes
-// would fill each other's spaces. Where lines are that near, a drawing shows the visible one, else the longest.
+// Lines beside others on a page.
+//
+// Surfaces seen edge-on have many hidden lines within the width of a pen: their dashes would fill each other's spaces.
+// Where lines are that near, a drawing shows the visible one, else the longest. Visible lines beside each other are
+// what is seen; but where they are nearly the same line, as edges of a file whose coordinates have six digits are in a
+// view along a face, a plotter would draw it twice, and a laser cut it.
 
 #include <cstddef>
 #include <vector>
@@ -16,5 +20,9 @@ namespace rimline::tools {
 /// No line has curves. O(length / reach_mm), times the lines near to a place.
 void leave_out_hidden_doubles(std::vector<PageLine>& lines, std::size_t first, double reach_mm,
                               double min_length_mm);
+
+/// The same of visible lines, beside longer visible ones and beside themselves. Without crumbs: what is
+/// left of a line and shorter than six times the reach.
+void leave_out_visible_doubles(std::vector<PageLine>& lines, std::size_t first, double reach_mm);
 
 }  // namespace rimline::tools
