@@ -97,7 +97,7 @@ public:
         fps_option_ =
             add_count(app, "--fps", fps_, 1, 240, "Frames a second of a film")->group("Output");
         path_.frames = 120;
-        path_.add_to(app, "chosen to show the whole model");
+        path_.add_to(app, "chosen to show the whole model", PathOptions::Random::not_offered);
         constexpr const char* k_group = "Motion";
         light_step_option_ = add_number(app, "--light-step", light_step_degrees_, -360.0, 360.0,
                                         "Turn the lights around the model by this angle per frame, "

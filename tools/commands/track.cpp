@@ -128,7 +128,7 @@ public:
 
     void add_options(CLI::App& app) override {
         model_.add_to(app);
-        path_.add_to(app, "2");
+        path_.add_to(app, "2", PathOptions::Random::offered);
         up_option_ =
             add_up(app, up_, "Axis of the orbit (default: y, or z if the file format says so)")
                 ->group("Path");

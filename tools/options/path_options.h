@@ -1,7 +1,8 @@
 #pragma once
 
-// The options that define a path, one point per frame: --path, --frames, --radius, --step and --seed.
-// `track` moves the silhouette point along it, `animate` the camera.
+// The options that define a path, one point per frame: --path, --frames, --radius and --step.
+// `track` moves the silhouette point along it, `animate` the camera. Only `track` has random paths and --seed: they
+// jump through the model and far away.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -17,7 +18,9 @@
 namespace rimline::tools {
 
 struct PathOptions {
-    std::string path = "orbit";  ///< orbit, random or a file name.
+    enum class Random { offered, not_offered };
+
+    std::string path = "orbit";  ///< orbit, a file name, or, where offered, random.
     std::uint32_t frames = 360;
     /// Radius of an orbit in the model's radii. Not set: the command's default.
     std::optional<double> radius;
@@ -25,7 +28,7 @@ struct PathOptions {
     std::uint32_t seed = 1;
 
     /// `radius_default` describes the default radius of an orbit in the help.
-    void add_to(CLI::App& app, const std::string& radius_default);
+    void add_to(CLI::App& app, const std::string& radius_default, Random random);
 
     /// Checks the options, and reads the points if the path is a file. Call it before a long load, so that a
     /// bad file or an option that does not belong to the path is reported at once. Throws UsageError, and
@@ -43,12 +46,14 @@ struct PathOptions {
     bool is_moving() const;
 
 private:
-    bool is_file() const { return path != "orbit" && path != "random"; }
+    bool is_random() const { return seed_option_ != nullptr && path == "random"; }
+    bool is_file() const { return !is_orbit() && !is_random(); }
+    [[noreturn]] void fail_path(const std::string& meant) const;
 
     CLI::Option* path_option_ = nullptr;
     CLI::Option* frames_option_ = nullptr;
     std::vector<CLI::Option*> orbit_options_;
-    CLI::Option* seed_option_ = nullptr;
+    CLI::Option* seed_option_ = nullptr;  // Null: no random path.
     std::vector<HomogeneousPoint> file_points_;
 };
 

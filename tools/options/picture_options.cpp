@@ -78,10 +78,7 @@ void PictureOptions::add_image_to(CLI::App& app, Background kind) {
          ? add_background(app, "--background", background, has_no_background, k_background)
          : add_color(app, "--background", background, k_background))
         ->group(k_group);
-    // Commands with a path have --seed already.
-    if (!app.get_option_no_throw("--seed"))
-        add_count(app, "--seed", seed, 0, 0xffffffffu, "Seed of all random numbers")
-            ->group(k_group);
+    add_count(app, "--seed", seed, 0, 0xffffffffu, "Seed of all random numbers")->group(k_group);
 }
 
 void PictureOptions::add_machine_to(CLI::App& app) {

@@ -41,7 +41,7 @@ def test_animate_draws_every_motion():
             # Beside, a direction, the center itself, and far away.
             file.write("3 2 1\n0 1 0.2 0\n0 0 0\n0 0 1e6\n")
         for i, (options, count) in enumerate((
-                (["--frames", "4", "--step", "5"], 4), (["--path", "random", "--seed", "5", "--frames", "6"], 6),
+                (["--frames", "4", "--step", "5"], 4), (["--path", points, "--target", "0.2,0,0", "--frames", "3"], 3),
                 (["--path", points, "--style", "toon"], 4), (["--path", points, "--ortho", "3", "--frames", "2"], 2),
                 (["--frames", "3", "--light-step", "30", "--ground", "--light", "2,3,1"], 3),
                 (["--frames", "3", "--light-follow", "--up", "0,0,1", "--radius", "3"], 3),
@@ -139,8 +139,8 @@ def test_animate_leaves_nothing_behind_when_it_fails():
         fail_for_memory("animate", "shape:box", "-o", output)
         assert os.listdir(folder) == []
         assert "gone" in fail(1, "animate", "shape:box", "-o", os.path.join(folder, "gone", "frames"))
-        for options in (["--step", "1", "--path", "random"], ["--eye", "3,2,1", "--step", "2"], ["--wave-step", "3"],
-                        ["--eye", "front", "--path", "random"], ["--azimuth", "9", "--path", "random"],
+        for options in (["--step", "1", "--path", "a.txt"], ["--eye", "3,2,1", "--step", "2"], ["--wave-step", "3"],
+                        ["--eye", "front", "--path", "a.txt"], ["--azimuth", "9", "--path", "a.txt"],
                         ["--light-step", "1", "--light-follow"], ["--deform", "melt"], ["--frames", "0"]):
             fail(2, "animate", "shape:box", "-o", output, *options)
             assert os.listdir(folder) == []
@@ -285,6 +285,18 @@ def test_animations_refuse_what_has_no_effect_or_no_view():
         assert "not 'orbt'; did you mean 'orbit'?" in fail(2, "animate", *box, "--path", "orbt")
         assert "absent.txt: cannot open it" in fail(1, "animate", *box, "--path", os.path.join(folder, "absent.txt"))
         assert os.listdir(folder) == []
+
+
+def test_animations_have_no_random_path():
+    with tempfile.TemporaryDirectory() as folder:
+        box = ("shape:box:12", "-o", os.path.join(folder, "a"), "--frames", "2")
+        expected = "--path: expected orbit or a file of points, not 'random', which only track has"
+        assert expected in fail(2, "animate", *box, "--path", "random")
+        assert "expected orbit or a file of points, not ''" in fail(2, "animate", *box, "--path", "")
+        assert "expected orbit, random or a file of points, not 'randm'" in fail(2, "track", "shape:box", "--path", "randm")
+        assert os.listdir(folder) == []
+    assert "random path" not in run("animate", "--help").stdout and "orbit, or a file" in run("animate", "--help").stdout
+    assert "orbit, random, or a file" in run("track", "--help").stdout
 
 
 def test_frames_of_an_older_run_are_not_left_among_new_ones():
