@@ -54,7 +54,9 @@ Color srgb_color(const glm::vec3& linear) {
 
 // Of all views together.
 struct DrawnTotals {
-    std::size_t chains = 0, runs = 0, strokes = 0;
+    std::size_t chains = 0, runs = 0;
+    // Visible lines on the page. The borders of the picture divide some strokes and leave out others.
+    std::size_t strokes = 0;
     LineReport report;
     // Lengths in mm on the page, by LineKind.
     std::array<double, k_line_kinds> visible{}, hidden{};
@@ -73,7 +75,6 @@ struct DrawnTotals {
     void add(const LineDrawing& drawing) {
         chains += drawing.chains.size();
         runs += drawing.runs.size();
-        strokes += drawing.strokes.size();
         report.lines += drawing.report.lines;
         report.crossings += drawing.report.crossings;
         report.contacts += drawing.report.contacts;
@@ -84,6 +85,7 @@ struct DrawnTotals {
         report.undecided_lines += drawing.report.undecided_lines;
     }
     void add(const PageLine& line) {
+        if (!line.is_hidden) ++strokes;
         (line.is_hidden ? hidden : visible)[std::size_t(line.kind)] += line.length_mm();
     }
     static double sum(const std::array<double, k_line_kinds>& lengths) {
@@ -188,7 +190,8 @@ public:
         context.times.end("writing");
         if (totals.strokes == 0 &&
             (!lines_.draws_hidden() || DrawnTotals::sum(totals.hidden) == 0.0))
-            print_warning(model_.model + ": the drawing is empty: no line of these kinds is in it");
+            print_warning(model_.model +
+                          ": the drawing is empty: no line of these kinds is on its page");
         if (context.json)
             print_result(context, mesh, cameras, page, totals);
         else
@@ -318,7 +321,7 @@ private:
             add_page_lines(lines, page.views[i], page_options, drawing.lines);
             if (format == DrawingFormat::json) {
                 nlohmann::ordered_json view = camera_json(camera);
-                view.update(drawing_json(lines, mesh, page.views[i]));
+                view.update(drawing_json(lines, mesh, page.views[i], page_options.frame));
                 views.push_back(std::move(view));
             }
         }

@@ -7,7 +7,8 @@
 namespace rimline::tools {
 
 nlohmann::ordered_json drawing_json(const LineDrawing& drawing, const Mesh& mesh,
-                                    const ViewPlace& place) {
+                                    const ViewPlace& place,
+                                    const std::optional<PictureRectangle>& frame) {
     using Json = nlohmann::ordered_json;
     Json points = Json::array(), sources = Json::array(), runs = Json::array(),
          chains = Json::array(), strokes = Json::array();
@@ -40,9 +41,16 @@ nlohmann::ordered_json drawing_json(const LineDrawing& drawing, const Mesh& mesh
         strokes.push_back(
             {{"parts", std::move(parts)}, {"closed", stroke.is_closed}, {"length", stroke.length}});
     }
+    Json frame_mm;
+    if (frame) {
+        // Upwards in the picture is downwards on the page.
+        const glm::dvec2 a = place.to_mm(frame->low), b = place.to_mm(frame->high);
+        frame_mm = {a.x, b.y, b.x, a.y};
+    }
     return {{"page",
              {{"origin_mm", Json::array({place.origin_mm.x, place.origin_mm.y})},
-              {"mm_per_unit", place.mm_per_unit}}},
+              {"mm_per_unit", place.mm_per_unit},
+              {"frame_mm", std::move(frame_mm)}}},
             {"points", std::move(points)},
             {"sources", std::move(sources)},
             {"runs", std::move(runs)},

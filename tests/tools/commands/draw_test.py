@@ -435,6 +435,53 @@ def test_a_drawing_ends_at_the_borders_of_its_picture():
         assert result["mm_per_unit"] == 130
 
 
+def write_cube(folder, name="cube.obj"):
+    path = os.path.join(folder, name)
+    with open(path, "w") as file:
+        file.writelines("v %d %d %d\n" % (x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1))
+        for face in ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)):
+            file.write("f %d %d %d %d\n" % tuple(i + 1 for i in face))
+    return path
+
+
+def test_a_drawing_without_lines_on_its_page_is_told():
+    warning = "the drawing is empty: no line of these kinds is on its page"
+    with tempfile.TemporaryDirectory() as folder:
+        cube = write_cube(folder)
+        # Lines are beside the picture; all of them are hidden; there are none.
+        for ending, read in (("svg", read_svg), ("pdf", read_pdf), ("dxf", lambda path: (None, read_dxf(path)))):
+            path = os.path.join(folder, "a." + ending)
+            for shape, options in ((cube, ["--ortho", "0.3"]), (cube, ["--ortho", "0.3", "--hidden", "layer"]),
+                                   ("shape:sphere:20000", ["--eye", "0.3,0.1,0.1", "--fov", "5"]),
+                                   ("shape:sphere:2000", ["--lines", "crease"])):
+                told = run("draw", shape, *options, "--json", "-o", path)
+                result = json.loads(told.stdout)
+                assert read(path)[1] == [] and warning in told.stderr and told.returncode == 0, (shape, options, told.stderr)
+                assert result["strokes"] == result["visible_length"] == 0
+            # A stroke that leaves the picture and comes back is drawn in two pieces.
+            result = succeed("draw", "shape:scene", "--ortho", "1", "-o", path)
+            assert len(read(path)[1]) == result["strokes"] > 0
+            # What is drawn hidden is on the page too.
+            succeed("draw", "shape:scene", "--eye", "0,3,0", "--target", "1,0.5,0.3", "--hidden", "layer", "-o", path)
+
+
+def test_a_drawing_as_json_says_where_its_picture_ends():
+    with tempfile.TemporaryDirectory() as folder:
+        whole, json_path, svg_path = (os.path.join(folder, name) for name in ("w.json", "a.json", "a.svg"))
+        succeed("draw", "shape:scene", "-o", whole)
+        with open(whole) as file:
+            assert json.load(file)["views"][0]["page"]["frame_mm"] is None
+        for camera in (["--ortho", "1"], ["--eye", "3,2,4", "--fov", "12"]):
+            for path in (json_path, svg_path):
+                succeed("draw", "shape:scene", *PLAIN[:2], *camera, "--page", "200x150", "-o", path)
+            with open(json_path) as file:
+                page = json.load(file)["views"][0]["page"]
+            left, top, right, bottom = page["frame_mm"]
+            assert is_close(page["frame_mm"], [10, 10, 190, 140], 1e-6), page
+            low_x, low_y, high_x, high_y = bounds(read_svg(svg_path)[1])
+            assert left - 1e-3 < low_x < high_x < right + 1e-3 and top - 1e-3 < low_y < high_y < bottom + 1e-3
+
+
 def test_the_camera_is_that_of_render():
     cameras = ([], ["--eye", "auto"], ["--eye", "front"], ["--eye", "top"], ["--azimuth", "200", "--elevation", "15"],
                ["--eye", "left", "--fov", "20"], ["--target", "0.1,0,0"], ["--eye", "3,2,4", "--target", "0.1,0,0", "--fov", "40"])
