@@ -52,7 +52,11 @@ public:
                            "which are exact")
                 ->check(CLI::IsMember({"bytes", "floats"}))
                 ->capture_default_str();
-        add_up_or_auto(app, up_, is_up_auto_);
+        // Directions along an axis may be numbers too.
+        add_up(app, up_, is_up_auto_,
+               "Up axis: one of x, y, z, -x, -y, -z, or auto: y, unless the model clearly stands "
+               "along another axis (default: as the file format says, else auto)")
+            ->type_name("AXIS|auto");
         app.footer(
             "In the file y is up, as glTF wants it: a model that stands along another axis is "
             "turned.\n"

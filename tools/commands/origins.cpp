@@ -101,7 +101,9 @@ public:
         add_output(app, "-o,--output", output_, ".png", "A picture of the groups of faces");
         add_direction(app, "--direction", direction_,
                       "Of the picture: from the model towards the viewer");
-        add_up(app, up_, "Of the picture (default: the file format's)");
+        add_up(app, up_, is_up_auto_,
+               "Of the picture: X,Y,Z, one of x, y, z, -x, -y, -z, or auto: along which the model "
+               "stands (default: the file format's)");
         app.footer(
             "An origin is good for an index when few edges are on the silhouette from there (SFO)\n"
             "and its distances from the planes spread. Each face belongs to one origin. "
@@ -156,6 +158,7 @@ private:
                 : chosen.trials[chosen.best];
         if (file) {
             const HoughOctree octree(mesh, {chosen.found.origins});
+            if (is_up_auto_) settle_up(mesh, up_, true, context.stop);
             const bool is_z_up = mesh.up() == UpAxis::z;
             const glm::dvec3 up = up_ ? glm::dvec3(*up_) : direction_of(mesh.up());
             const glm::dvec3 towards =
@@ -284,6 +287,7 @@ private:
     std::string output_;
     std::optional<glm::vec3> direction_;
     std::optional<glm::vec3> up_;
+    bool is_up_auto_ = false;
     CLI::Option *count_option_ = nullptr, *max_option_ = nullptr;
 };
 

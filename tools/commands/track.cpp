@@ -130,7 +130,9 @@ public:
         model_.add_to(app);
         path_.add_to(app, "2", PathOptions::Random::offered);
         up_option_ =
-            add_up(app, up_, "Axis of the orbit (default: y, or z if the file format says so)")
+            add_up(app, up_, is_up_auto_,
+                   "Axis of the orbit: X,Y,Z, one of x, y, z, -x, -y, -z, or auto: along which the "
+                   "model stands (default: y, or z if the file format says so)")
                 ->group("Path");
         add_points(app, "--origin", origins_,
                    "Origin of Hough space; repeatable (default: the model's center)")
@@ -154,6 +156,7 @@ public:
         path_.require_path(up_option_, "orbit");
         path_.read(context);  // Reports a bad file before a long load.
         const Mesh mesh = model_.load_mesh(context);
+        if (is_up_auto_) settle_up(mesh, up_, true, context.stop);
         const glm::vec3 own_up = glm::vec3(direction_of(mesh.up()));
         const std::vector<HomogeneousPoint> points =
             path_.points(mesh, up_.value_or(own_up), k_orbit_radius);
@@ -210,6 +213,7 @@ private:
     PathOptions path_;
     CLI::Option* up_option_ = nullptr;
     std::optional<glm::vec3> up_;
+    bool is_up_auto_ = false;
     bool verify_ = false;
     std::vector<glm::vec3> origins_;
 };

@@ -27,14 +27,8 @@ glm::vec3 parse_up(const std::string& option, const std::string& text) {
     return parse_direction(option, text);
 }
 
-CLI::Option* add_up(CLI::App& app, std::optional<glm::vec3>& up, const std::string& description) {
-    return app
-        .add_option_function<std::string>(
-            "--up", [&up](const std::string& text) { up = parse_up("--up", text); }, description)
-        ->type_name("X,Y,Z|AXIS");
-}
-
-CLI::Option* add_up_or_auto(CLI::App& app, std::optional<glm::vec3>& up, bool& is_auto) {
+CLI::Option* add_up(CLI::App& app, std::optional<glm::vec3>& up, bool& is_auto,
+                    const std::string& description) {
     return app
         .add_option_function<std::string>(
             "--up",
@@ -42,9 +36,15 @@ CLI::Option* add_up_or_auto(CLI::App& app, std::optional<glm::vec3>& up, bool& i
                 is_auto = text == "auto";
                 if (!is_auto) up = parse_up("--up", text);
             },
-            "Up direction: X,Y,Z, one of x, y, z, -x, -y, -z, or auto: y, unless the model "
-            "clearly stands along another axis (default: as the file format says, else auto)")
+            description)
         ->type_name("X,Y,Z|AXIS|auto");
+}
+
+CLI::Option* add_up_or_auto(CLI::App& app, std::optional<glm::vec3>& up, bool& is_auto) {
+    return add_up(
+        app, up, is_auto,
+        "Up direction: X,Y,Z, one of x, y, z, -x, -y, -z, or auto: y, unless the model "
+        "clearly stands along another axis (default: as the file format says, else auto)");
 }
 
 ChosenUp choose_up(const Mesh& mesh, const std::optional<glm::vec3>& up, bool is_auto,

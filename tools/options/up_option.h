@@ -15,9 +15,10 @@ namespace rimline::tools {
 
 /// `x,y,z`, or an axis: x, y, z, -x, -y, -z. Throws CLI::ValidationError.
 glm::vec3 parse_up(const std::string& option, const std::string& text);
-/// A direction, or an axis: x, y, z, -x, -y, -z.
-CLI::Option* add_up(CLI::App& app, std::optional<glm::vec3>& up, const std::string& description);
-/// The same, but the word `auto` sets `is_auto`.
+/// A direction, or an axis: x, y, z, -x, -y, -z. The word `auto` sets `is_auto`.
+CLI::Option* add_up(CLI::App& app, std::optional<glm::vec3>& up, bool& is_auto,
+                    const std::string& description);
+/// The same, with the description of commands that choose as choose_up() does.
 CLI::Option* add_up_or_auto(CLI::App& app, std::optional<glm::vec3>& up, bool& is_auto);
 
 struct ChosenUp {

@@ -2,6 +2,7 @@
 import json
 import math
 import os
+import re
 import struct
 import tempfile
 
@@ -126,6 +127,8 @@ def test_convert_turns_models_to_stand_on_y():
             assert bounds is None or read == bounds
             assert sorted(high - low for low, high in zip(*read)) == [2, 2, 2]
         fail(2, "convert", lying, "-o", path, "--up", "1,1,0")
+        assert succeed("convert", lying, "-o", path, "--up", "0,0,1")["up"] == [0, 0, 1]
+        assert re.search(r"--up AXIS\|auto ", run("convert", "--help").stdout)
 
 
 def test_convert_writes_the_class_of_every_edge():

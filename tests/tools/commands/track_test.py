@@ -5,7 +5,7 @@ import os
 import subprocess
 import tempfile
 
-from program import PROGRAM, check_track, fail, succeed
+from program import PROGRAM, check_track, fail, read_file, succeed
 
 
 def test_several_origins_track_the_same_changes():
@@ -79,6 +79,24 @@ def test_track_shows_the_silhouettes_that_silhouette_finds():
         silhouette = succeed("silhouette", shape, "--from", view, "--no-edges")
         # The last bit of a coordinate may differ between two ways to write the same circle.
         assert abs(silhouette["count"] - frame["silhouette"]) <= 2
+
+
+def test_the_axis_of_an_orbit_may_be_that_along_which_the_model_stands():
+    with tempfile.TemporaryDirectory() as folder:
+        pyramid = os.path.join(folder, "pyramid.obj")
+        with open(pyramid, "w") as file:
+            file.write("v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv 0 0 2\nf 1 4 3 2\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n")
+        track = ["track", pyramid, "--frames", "40"]
+        flips = [[frame["flips"] for frame in succeed(*track, *up)["frames"]]
+                 for up in (["--up", "auto"], ["--up", "z"], ["--up", "y"], [])]
+        assert flips[0] == flips[1] != flips[2] == flips[3]
+        assert "x, y, z, -x, -y, -z, auto, not 'q'" in fail(2, *track, "--up", "q")
+        output = os.path.join(folder, "a.png")
+        pictures = []
+        for up in (["--up", "auto"], ["--up", "z"], ["--up", "y"], []):
+            succeed("origins", pyramid, "-k", "1", *up, "-o", output)
+            pictures.append(read_file(output))
+        assert pictures[0] == pictures[1] != pictures[2] == pictures[3]
 
 
 def test_frames_are_not_kept_as_json():
