@@ -2,6 +2,8 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
+#include <span>
+#include <string_view>
 
 #include "tools/nearest_name.h"
 
@@ -32,18 +34,30 @@ std::string missing_suite(const CLI::App& bench) {
            (rest.empty() ? "" : ", not '" + rest.front() + "'" + did_you_mean(rest.front(), names));
 }
 
-// The message for arguments that no option and no position takes.
-std::string unexpected(const CLI::App& app) {
+// Not of values that begin with a dash: -1,2,3 and -.5.
+bool is_option(const std::string& argument) {
+    return argument.size() > 1 && argument.starts_with('-') &&
+           std::string_view("0123456789.").find(argument[1]) == std::string_view::npos;
+}
+
+// "; did you mean '--output'?" for --out: the only one that begins so, or else the nearest.
+std::string did_you_mean_option(const std::string& name, std::span<const std::string> names) {
+    const auto goes_on = [&](const std::string& known) { return known.starts_with(name); };
+    if (name.starts_with("--") && std::ranges::count_if(names, goes_on) == 1)
+        return "; did you mean '" + *std::ranges::find_if(names, goes_on) + "'?";
+    return did_you_mean(name, names);
+}
+
+// The message for the first option that there is not. Empty if there is none.
+std::string unknown_option(const CLI::App& app) {
     const std::vector<std::string> rest = app.remaining();
-    const auto option = std::ranges::find_if(rest, [](const std::string& argument) {
-        return argument.size() > 1 && argument.starts_with('-');
-    });
-    if (option == rest.end()) return "argument not expected: " + rest.front();
+    const auto option = std::ranges::find_if(rest, is_option);
+    if (option == rest.end()) return "";
     const std::string name = option->substr(0, option->find('='));
     std::vector<std::string> names;
     for (const CLI::Option* known : app.get_options())
         for (const std::string& long_name : known->get_lnames()) names.push_back("--" + long_name);
-    return "option not expected: " + name + did_you_mean(name, names);
+    return "option not expected: " + name + did_you_mean_option(name, names);
 }
 
 }  // namespace
@@ -58,8 +72,13 @@ std::vector<const CLI::App*> parsed_chain(const CLI::App& app) {
 std::string usage_words(const CLI::ParseError& error, const CLI::App& app) {
     const CLI::App& last = *parsed_chain(app).back();
     if (&last != &app && last.get_require_subcommand_min() > 0) return missing_suite(last);
-    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !last.remaining().empty())
-        return unexpected(last);
+    const bool has_extras = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+    // CLI11 misses the option that was meant before it looks at the one that was typed.
+    if (has_extras || dynamic_cast<const CLI::RequiredError*>(&error) != nullptr ||
+        dynamic_cast<const CLI::RequiresError*>(&error) != nullptr)
+        if (const std::string words = unknown_option(last); !words.empty()) return words;
+    if (has_extras && !last.remaining().empty())
+        return "argument not expected: " + last.remaining().front();
 
     // CLI11's messages are NAME: WHAT.
     const std::string message = error.what();

@@ -210,6 +210,28 @@ def test_a_mistyped_name_is_answered_with_the_one_that_was_meant():
     assert "not expected: --frobnicate (see" in fail(2, "info", box, "--frobnicate", "7")
 
 
+def test_an_option_that_there_is_not_is_told_before_one_that_is_missing():
+    for arguments, words in (
+            (["light", "shape:box", "--eyes", "1,2,3"], "option not expected: --eyes; did you mean '--eye'?"),
+            (["light", "shape:box", "--eyes=-1,2,3"], "option not expected: --eyes; did you mean '--eye'?"),
+            (["light", "--eyes", "-1,2,3", "shape:box"], "option not expected: --eyes; did you mean '--eye'?"),
+            (["convert", "shape:box", "--out", "x.glb"], "option not expected: --out; did you mean '--output'?"),
+            (["convert", "shape:box", "-O", "x.glb"], "option not expected: -O (see"),
+            (["convert", "shape:box", "--crease", "20", "-o", "x.glb", "--edgs"], "option not expected: --edgs; did you mean '--edges'?"),
+            (["draw", "--elev=3"], "option not expected: --elev; did you mean '--elevation'?"),
+            (["draw", "--widht"], "option not expected: --widht; did you mean '--width'?"),
+            # A value without an option, and nothing wrong but what is missing.
+            (["light", "shape:box", "-1,2,3"], "--eye is required"), (["light", "shape:box", "-.5,2,3"], "--eye is required"),
+            (["light", "shape:box"], "--eye is required"), (["convert", "shape:box"], "--output is required"),
+            (["info", "shape:box", "-1,2,3"], "argument not expected: -1,2,3"), (["draw"], "MODEL is required"),
+            # Several begin so.
+            (["draw", "shape:box", "--hidden-"], "option not expected: --hidden-"),
+            # A wrong value is told first, and the first one typed.
+            (["light", "shape:box", "--eye", "1,2", "--upp", "z"], "--eye: ")):
+        line = fail(2, *arguments)
+        assert line.startswith("rimline: error: " + words), (arguments, line)
+
+
 def test_quiet_leaves_only_errors():
     with tempfile.TemporaryDirectory() as folder:
         painted = os.path.join(folder, "painted.obj")
