@@ -92,6 +92,18 @@ std::vector<std::string> arguments_of(int argc, char** argv) {
     return arguments;
 }
 
+// Makes names of the arguments after `--` and removes it: what begins with a dash then begins with "./", which names
+// the same file. A lone dash stays standard input. Returns whether a name was changed.
+bool take_names(std::vector<std::string>& arguments, std::vector<std::string>::iterator dashes) {
+    bool has_changed = false;
+    for (auto name = arguments.erase(dashes); name != arguments.end(); ++name) {
+        if (name->size() < 2 || !name->starts_with('-')) continue;
+        name->insert(0, "./");
+        has_changed = true;
+    }
+    return has_changed;
+}
+
 ExitStatus report_usage(const std::string& message, const CLI::App& app) {
     std::string help;
     for (const CLI::App* named : rimline::tools::parsed_chain(app)) help += named->get_name() + " ";
@@ -178,12 +190,15 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
         return report_usage("there is no subcommand '" + *first + "'" +
                                 rimline::tools::did_you_mean(*first, names_of(commands)),
                             app);
+    bool has_dashed_names = false;
     if (first != arguments.end() && !has_value) {
         const auto named = std::ranges::find_if(commands, is_first);
-        const auto rest = std::ranges::find(arguments, "--");
-        if ((*named)->takes_rest() && rest != arguments.end()) {
+        const auto rest = std::find(first, arguments.end(), "--");
+        if (rest != arguments.end() && (*named)->takes_rest()) {
             (*named)->take_rest({std::next(rest), arguments.end()});
             arguments.erase(rest, arguments.end());
+        } else if (rest != arguments.end()) {
+            has_dashed_names = take_names(arguments, rest);
         }
     }
     std::ranges::reverse(arguments);  // The order that CLI11 expects.
@@ -197,7 +212,11 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
             flush_output();
             return ExitStatus::success;
         }
-        return report_usage(rimline::tools::first_usage_words(e, app), app);
+        const bool lacks_option = dynamic_cast<const CLI::ExtrasError*>(&e) != nullptr ||
+                                  dynamic_cast<const CLI::RequiredError*>(&e) != nullptr;
+        const char* advice =
+            has_dashed_names && lacks_option ? "; what follows -- are names, no options" : "";
+        return report_usage(rimline::tools::first_usage_words(e, app) + advice, app);
     }
     if (!completion.empty() || wants_manual) {
         rimline::tools::print_text(document(table, completion));

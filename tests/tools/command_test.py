@@ -7,7 +7,7 @@ import resource
 import subprocess
 import tempfile
 
-from program import (COMMANDS, PROGRAM, fail, has_methods, have_device, limit_memory, read_file, run, skip,
+from program import (COMMANDS, PROGRAM, SMALL, fail, has_methods, have_device, limit_memory, read_file, run, skip,
                      starts_within, succeed)
 
 
@@ -230,6 +230,33 @@ def test_an_option_that_there_is_not_is_told_before_one_that_is_missing():
             (["light", "shape:box", "--eye", "1,2", "--upp", "z"], "--eye: ")):
         line = fail(2, *arguments)
         assert line.startswith("rimline: error: " + words), (arguments, line)
+
+
+def test_after_two_dashes_come_names():
+    with tempfile.TemporaryDirectory() as folder:
+        for name in ("-dash.obj", "--json", "a.obj"):
+            with open(os.path.join(folder, name), "w") as file:
+                file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+        for arguments in (["info"], ["draw", "-o", "q.svg"], ["silhouette", "--from", "3,2,1"], ["track", "--frames", "2"],
+                          ["light", "--eye", "3,2,1"], ["origins"], ["convert", "-o", "q.glb"], ["field", "--at", "3,2,1"],
+                          ["points", "--as-points"]):
+            for name in ("-dash.obj", "--json"):
+                result = run(*arguments, "--json", "--", name, cwd=folder)
+                assert result.returncode == 0, (arguments, name, result.stderr)
+                assert "./" + name in result.stdout, (arguments, result.stdout)
+            assert run(*arguments, "--quiet", "a.obj", "--", cwd=folder).returncode == 0, arguments
+        for arguments in (["draw", "--", "-dash.obj", "-o", "q.svg"], ["info", "a.obj", "--", "--json"], ["info", "--", "a.obj", "--", "x"]):
+            result = run(*arguments, cwd=folder)
+            assert result.returncode == 2 and "argument not expected: " in result.stderr, (arguments, result)
+            assert "; what follows -- are names, no options (see" in result.stderr
+        assert "--eye is required; what follows -- are names" in fail(2, "light", "--", "a.obj", "--eye", "1,2,3")
+        # A lone dash stays standard input.
+        with open(os.path.join(folder, "a.obj")) as file:
+            assert run("info", "--format", "obj", "--", "-", stdin=file).returncode == 0
+        have_device()
+        for models in (["--", "-dash.obj"], ["a.obj", "--", "-dash.obj"], ["--", "-dash.obj", "a.obj", "--json"]):
+            result = run("render", *SMALL, "--json", "-o", "q.png", *models, cwd=folder)
+            assert result.returncode == 0, (models, result.stderr)
 
 
 def test_quiet_leaves_only_errors():
