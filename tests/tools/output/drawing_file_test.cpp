@@ -82,9 +82,31 @@ TEST_CASE("a path of an SVG says its chains and edges if they are asked for") {
 
 TEST_CASE("a PDF has its y axis upwards and escapes its title") {
     const std::string text = drawing_pdf(made_page());
-    CHECK(contains(text, "/Title (a <b> & \\(c\\)\\\\ ?\?)"));
+    CHECK(contains(text, "/Title <FEFF0061"));
     CHECK(contains(text, "1 48 m\n3 48 l\n3 46 l\ns\n"));
     CHECK(contains(text, "[2 1] 0 d"));
+}
+
+TEST_CASE("a PDF has every character of its title") {
+    const auto title = [](const std::string& plain) {
+        PageDrawing drawing = made_page();
+        drawing.title = plain;
+        const std::string text = drawing_pdf(drawing);
+        const std::size_t begin = text.find("/Title ") + 7;
+        return text.substr(begin, text.find(" /Producer") - begin);
+    };
+    CHECK(title("") == "()");
+    CHECK(title("a <b> & (c)\\") == "(a <b> & \\(c\\)\\\\)");
+    // An umlaut, and an emoji, which takes two units.
+    CHECK(title("b\xC3\xA4r (1)") == "<FEFF006200E400720020002800310029>");
+    CHECK(title("\xE2\x82\xAC\xF0\x9F\x90\xB4") == "<FEFF20ACD83DDC34>");
+    CHECK(title("\xF4\x8F\xBF\xBD") == "<FEFFDBFFDFFD>");
+    // Bytes that are no UTF-8: alone, cut off, of a surrogate, and beside a character.
+    CHECK(title("a\xE4") == "(a\\\\xe4)");
+    CHECK(title("\xF0\x9F\x90") == "(\\\\xf0\\\\x9f\\\\x90)");
+    CHECK(title("\xED\xA0\x80") == "(\\\\xed\\\\xa0\\\\x80)");
+    CHECK(title("\xC3\xA4\xFF") == "<FEFF00E4005C007800660066>");
+    CHECK(title("a\nb") == "(a\\\\x0ab)");
 }
 
 TEST_CASE("lines have the color of their ink, and those without one that of the drawing") {
