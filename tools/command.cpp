@@ -48,13 +48,7 @@ Json in_utf8(const Json& value) {
     return result;
 }
 
-void write_json(const Json& value) {
-    try {
-        print_text(value.dump());
-    } catch (const Json::type_error&) {  // Thrown before anything is written.
-        print_text(in_utf8(value).dump());
-    }
-}
+void write_json(const Json& value) { print_text(json_text(value)); }
 
 void write_list(const JsonList& list) {
     print_text("[");
@@ -87,6 +81,14 @@ void print_text(std::string_view text) {
     if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size()) return;
     throw Error(ErrorCode::io,
                 "standard output: cannot write: " + std::generic_category().message(errno));
+}
+
+std::string json_text(const Json& object) {
+    try {
+        return object.dump();
+    } catch (const Json::type_error&) {
+        return in_utf8(object).dump();
+    }
 }
 
 void print_json(const Json& object) {

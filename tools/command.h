@@ -82,8 +82,9 @@ ExitStatus report_check(const std::string& failure);
 /// Writes to standard output. Throws Error{io} with the reason if the text does not fit into the stream's buffer and
 /// cannot be written.
 void print_text(std::string_view text);
-/// Writes one JSON object to standard output, as print_text(). Bytes of file names that are not UTF-8 are escaped
-/// (printable_text.h).
+/// The object on one line. Where a string of it is no UTF-8, bytes of all strings are escaped (printable_text.h).
+std::string json_text(const nlohmann::ordered_json& object);
+/// Writes json_text() to standard output, as print_text().
 void print_json(const nlohmann::ordered_json& object);
 /// The same with `times_ms` of the run as its last value.
 void print_json(const Context& context, nlohmann::ordered_json object);

@@ -17,7 +17,6 @@
 #include "silhouette/lines/line_surface.h"
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/clear_creases.h"
-#include "silhouette/printable_text.h"
 #include "silhouette/srgb.h"
 #include "tools/command.h"
 #include "tools/options/drawn_lines.h"
@@ -178,10 +177,9 @@ public:
             case DrawingFormat::pdf: file.write(drawing_pdf(drawing)); break;
             case DrawingFormat::dxf: file.write(drawing_dxf(drawing)); break;
             case DrawingFormat::json:
-                file.write(nlohmann::ordered_json{{"model", printable_text(model_.model)},
-                                                  {"page_mm", {page.size_mm.x, page.size_mm.y}},
-                                                  {"views", std::move(views)}}
-                               .dump() +
+                file.write(json_text({{"model", model_.model},
+                                      {"page_mm", {page.size_mm.x, page.size_mm.y}},
+                                      {"views", std::move(views)}}) +
                            "\n");
                 break;
         }

@@ -482,6 +482,17 @@ def test_a_drawing_as_json_says_where_its_picture_ends():
             assert left - 1e-3 < low_x < high_x < right + 1e-3 and top - 1e-3 < low_y < high_y < bottom + 1e-3
 
 
+def test_a_drawing_as_json_has_the_name_of_its_model():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "a.json")
+        for name in ("a\nb \u00e4 \\x0a.obj", "a\udcff.obj"):
+            cube = write_cube(folder, name)
+            told = run("draw", cube, "--json", "-o", path)
+            with open(path) as file:
+                drawing = json.load(file)
+            assert drawing["model"] == json.loads(told.stdout)["model"] == cube.replace("\udcff", "\\xff")
+
+
 def test_the_camera_is_that_of_render():
     cameras = ([], ["--eye", "auto"], ["--eye", "front"], ["--eye", "top"], ["--azimuth", "200", "--elevation", "15"],
                ["--eye", "left", "--fov", "20"], ["--target", "0.1,0,0"], ["--eye", "3,2,4", "--target", "0.1,0,0", "--fov", "40"])
