@@ -113,9 +113,11 @@ public:
                          ->check(CLI::IsMember({"svg", "pdf", "dxf", "json"}))
                          ->capture_default_str()
                          ->group("Output");
-        app.add_flag("--source", has_sources_,
-                     "SVG: say of each path which chains (data-chain) and edges (data-edges) it is "
-                     "made of; edges are pairs of vertex numbers of the file")
+        app.add_flag(
+               "--source", has_sources_,
+               "SVG: say of each path which chains (data-chain) and edges (data-edges) it is "
+               "made of; edges are pairs of vertex numbers of the file, with --subdivide of the "
+               "refined mesh")
             ->group("Output");
         app.add_flag(
                "--verify", verifies_,

@@ -152,10 +152,10 @@ public:
             ->group("Output");
         app.footer(
             "Exactly one of --from and --direction is needed. Edges are pairs of vertex numbers of "
-            "the\n"
-            "file, from 0. In an SVG hidden lines are drawn too: it is a picture of the data. "
-            "rimline\n"
-            "draw draws lines as they are seen.\n\n"
+            "the file, from 0,\n"
+            "with --subdivide of the refined mesh. In an SVG hidden lines are drawn too: it is a "
+            "picture of the data.\n"
+            "rimline draw draws lines as they are seen.\n\n"
             "Methods:\n" +
             method_table() +
             "\n"

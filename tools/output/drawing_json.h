@@ -3,7 +3,8 @@
 // A line drawing as data. The JSON has for each view
 //
 //   points   [x, y, depth, arc] in picture coordinates (silhouette/lines/line_view.h), y upwards
-//   sources  for each point [vertex, vertex, share] of its edge, as the file numbers them; null on an intersection
+//   sources  for each point [vertex, vertex, share] of its edge, as the file numbers them, or with --subdivide the
+//            refined mesh; null on an intersection
 //   runs     chain, points [first, last), hidden_by, length
 //   chains   id, kind, runs [first, last), closed, length
 //   strokes  parts [run, reversed], closed, length

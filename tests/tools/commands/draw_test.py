@@ -493,6 +493,11 @@ def test_a_drawing_as_json_has_the_name_of_its_model():
             assert drawing["model"] == json.loads(told.stdout)["model"] == cube.replace("\udcff", "\\xff")
 
 
+def test_vertex_numbers_of_refined_meshes_are_told():
+    for arguments in (["draw"], ["silhouette"]):
+        assert "--subdivide of the refined mesh" in " ".join(run(*arguments, "--help").stdout.split()), arguments
+
+
 def test_the_camera_is_that_of_render():
     cameras = ([], ["--eye", "auto"], ["--eye", "front"], ["--eye", "top"], ["--azimuth", "200", "--elevation", "15"],
                ["--eye", "left", "--fov", "20"], ["--target", "0.1,0,0"], ["--eye", "3,2,4", "--target", "0.1,0,0", "--fov", "40"])
