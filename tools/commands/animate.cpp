@@ -341,7 +341,8 @@ private:
         Totals totals;
         for (const FrameReport& report : reports) totals.add(report);
         const auto mean = [n = double(reports.size())](auto sum) { return double(sum) / n; };
-        std::printf("%s: %zu frames\n", output_.c_str(), reports.size());
+        std::printf("%s: %zu frame%s\n", output_.c_str(), reports.size(),
+                    reports.size() == 1 ? "" : "s");
         std::printf("  a frame     %.1f faces turn, %.1f edges join, %.1f leave, of %.1f\n",
                     mean(totals.changes.flips), mean(totals.changes.added),
                     mean(totals.changes.removed), mean(totals.changes.edges));

@@ -160,7 +160,9 @@ private:
         print_direction(sun->direction);
         std::printf("  score       %.1f, by %u face%s %s\n", sun->votes, sun->faces,
                     sun->faces == 1 ? " that turns" : "s that turn",
-                    sun->sees_backs ? "their backs to the viewer" : "towards the viewer");
+                    !sun->sees_backs  ? "towards the viewer"
+                    : sun->faces == 1 ? "its back to the viewer"
+                                      : "their backs to the viewer");
         std::printf("  time        %.1f ms\n", ms);
     }
 

@@ -195,7 +195,7 @@ private:
         const double n = static_cast<double>(track.frames.size());
         const auto mean = [n](std::uint64_t sum) { return static_cast<double>(sum) / n; };
         const Frame& sum = track.totals;
-        std::printf("%zu frames%s\n", track.frames.size(),
+        std::printf("%zu frame%s%s\n", track.frames.size(), track.frames.size() == 1 ? "" : "s",
                     verified(track) ? ", every one equal to brute force" : "");
         std::printf("  a frame     %.1f faces turn, %.1f edges join, %.1f leave, of %.1f\n",
                     mean(sum.flips), mean(sum.added), mean(sum.removed), mean(sum.silhouette));

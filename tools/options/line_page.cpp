@@ -53,7 +53,8 @@ void LinePage::add_to(CLI::App& app) {
     constexpr const char* k_group = "Page";
     app.add_option_function<std::string>(
            "--page", [this](const std::string& text) { parse_page(text, *this); },
-           "Width and height in mm; fit: as large as the drawing and its margins")
+           "Width and height in mm; fit: as large as the drawing and its margins, without --scale "
+           "180 mm on the longer side")
         ->type_name("WxH|fit")
         ->default_str("210x297")
         ->group(k_group);

@@ -299,6 +299,16 @@ def test_animations_have_no_random_path():
     assert "orbit, random, or a file" in run("track", "--help").stdout
 
 
+def test_one_frame_is_counted_in_the_singular():
+    assert run("track", "shape:box", "--frames", "1").stdout.startswith("1 frame\n")
+    assert run("track", "shape:box", "--frames", "2").stdout.startswith("2 frames\n")
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a")
+        text = run("animate", "shape:box", "--frames", "1", "-o", output, *SMALL).stdout
+        assert text.startswith(output + ": 1 frame\n"), text
+
+
 def test_frames_of_an_older_run_are_not_left_among_new_ones():
     have_device()
     with tempfile.TemporaryDirectory() as folder:

@@ -498,6 +498,11 @@ def test_vertex_numbers_of_refined_meshes_are_told():
         assert "--subdivide of the refined mesh" in " ".join(run(*arguments, "--help").stdout.split()), arguments
 
 
+def test_the_length_of_a_page_that_fits_is_told():
+    assert "fit: as large as the drawing and its margins, without --scale 180 mm on the longer side" in " ".join(
+        run("draw", "--help").stdout.split())
+
+
 def test_the_camera_is_that_of_render():
     cameras = ([], ["--eye", "auto"], ["--eye", "front"], ["--eye", "top"], ["--azimuth", "200", "--elevation", "15"],
                ["--eye", "left", "--fov", "20"], ["--target", "0.1,0,0"], ["--eye", "3,2,4", "--target", "0.1,0,0", "--fov", "40"])

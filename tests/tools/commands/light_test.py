@@ -55,3 +55,13 @@ def test_light_says_which_up_it_took():
     said = succeed("light", "shape:knot:2000", "--eye", "3,2,4", "--up", "z")
     assert said["up"] == [0, 0, 1] and said["up_from"] == "option"
     assert succeed("light", "shape:knot:2000", "--eye", "3,2,4")["up"] == [0, 1, 0]
+
+
+def test_the_backs_of_one_face_and_of_two_are_told_apart():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "sheet.obj")
+        for faces, words in (("f 1 2 3\n", "by 1 face that turns its back to the viewer"),
+                             ("f 1 2 3\nf 2 4 3\n", "by 2 faces that turn their backs to the viewer")):
+            with open(path, "w") as file:
+                file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0.1\n" + faces)
+            assert words in run("light", path, "--eye", "0,0,-3", "--by-votes").stdout
