@@ -4,15 +4,15 @@
 //
 // A wrong argument is a ValueError or TypeError that names it.
 //
-// Arrays in: numpy arrays of float32, float64 or integers of any width, in any order of memory, are read where they lie;
-// other sequences are converted by numpy first. Wrong shapes and kinds of numbers are a ValueError or TypeError that
-// names the argument and, for a wrong number, its row.
+// Errors of a value's own methods, as __float__() or __array__(), are passed on. But TypeError and ValueError become
+// the cause of the error that names the argument. Arrays of rows are in number_rows.h.
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <optional>
@@ -24,6 +24,9 @@
 
 namespace rimline::python {
 
+/// Raises `exception` because of the error that is set, which is passed on if it is neither TypeError nor ValueError.
+[[noreturn]] void throw_instead(PyObject* exception, const std::string& message);
+
 /// An integer from `low` to `high`.
 std::uint32_t count_of(pybind11::handle value, const char* name, std::uint32_t low,
                        std::uint32_t high = std::numeric_limits<std::uint32_t>::max());
@@ -33,6 +36,8 @@ bool is_flag(pybind11::handle value);
 bool flag_of(pybind11::handle value, const char* name);
 /// A str.
 std::string word_of(pybind11::handle value, const char* name);
+/// The same for what is known to be a str.
+std::string utf8_of(pybind11::handle text, const std::string& name);
 
 /// Three finite numbers, each at most k_max_coordinate in magnitude.
 glm::dvec3 vector_of(pybind11::handle value, const char* name);
@@ -40,14 +45,6 @@ glm::dvec3 vector_of(pybind11::handle value, const char* name);
 glm::dvec3 direction_of(pybind11::handle value, const char* name);
 /// Exactly one of the two is not None.
 HomogeneousPoint point_of(pybind11::handle eye, pybind11::handle direction);
-
-/// N x 3 finite numbers within k_max_coordinate.
-std::vector<glm::dvec3> positions_of(pybind11::handle array, const char* name);
-/// The same, rounded to float.
-std::vector<glm::vec3> float_positions_of(pybind11::handle array, const char* name);
-/// N x 3 integers in [0, vertices).
-std::vector<std::array<std::uint32_t, 3>> faces_of(pybind11::handle array, const char* name,
-                                                   std::size_t vertices);
 
 /// An array of this shape over memory that `owner` keeps, without a copy and read-only.
 template <typename Number>

@@ -25,8 +25,10 @@
 #include "tools/options/view_choice.h"
 #include "tools/output/path_report.h"
 #include "tools/python/arrays.h"
+#include "tools/python/keywords.h"
 #include "tools/python/long_calls.h"
 #include "tools/python/mesh.h"
+#include "tools/python/number_rows.h"
 
 namespace rimline::python {
 
@@ -37,15 +39,17 @@ namespace {
 // Of the picture for which target and field of view of a view are given.
 constexpr double k_aspect = 4.0 / 3.0;
 
+constexpr std::size_t k_points_per_checkpoint = 1 << 16;
+
 // A direction, or a word as --up takes it.
 glm::dvec3 up_of(const Mesh& mesh, const py::object& up) {
     std::optional<glm::vec3> given;
     bool is_auto = false;
     if (py::isinstance<py::str>(up)) {
         try {
-            given = tools::parse_up_choice("up", up.cast<std::string>()).direction;
+            given = tools::parse_up_choice("--up", word_of(up, "up")).direction;
         } catch (const CLI::ValidationError& error) {
-            throw py::value_error(error.what());
+            throw py::value_error(in_keywords(error.what()));
         }
         is_auto = !given;
     } else if (!up.is_none()) {
@@ -83,12 +87,16 @@ public:
     const TangentialField& field() const { return *field_; }
 
     py::array at(const py::object& points, const py::object& progress) const {
-        std::vector<glm::dvec3> places = positions_of(points, "points");
-        for (glm::dvec3& place : places) place = field_->frame().from_model(place);
-        py::array_t<double> values(static_cast<py::ssize_t>(places.size()));
+        const NumberRows rows(points, "points", NumberRows::Kind::real);
+        py::array_t<double> values(static_cast<py::ssize_t>(rows.count()));
         double* to = values.mutable_data();
         run_long(progress, [&](const LongCall& call) {
-            field_->values(places, {to, places.size()}, call);
+            std::vector<glm::dvec3> places = rows.positions(call.part(0.0, 0.1));
+            for (std::size_t i = 0; i < places.size(); ++i) {
+                if (i % k_points_per_checkpoint == 0) call.checkpoint(0.1);
+                places[i] = field_->frame().from_model(places[i]);
+            }
+            field_->values(places, {to, places.size()}, call.part(0.1, 1.0));
         });
         return values;
     }
@@ -144,7 +152,8 @@ public:
                const py::object& progress) {
         const SharedMesh shared = mesh_of(mesh_object);
         const Mesh& mesh = shared->mesh();
-        const std::vector<glm::dvec3> views = positions_of(eyes, "eyes");
+        const std::vector<glm::dvec3> views =
+            NumberRows(eyes, "eyes", NumberRows::Kind::real).positions({});
         if (views.size() < 2) throw py::value_error("eyes: expected at least two");
         const double radius = unit_frame(mesh).radius;
         for (const glm::dvec3& view : views) {

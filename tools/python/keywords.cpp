@@ -35,9 +35,11 @@ bool is_list(const py::handle& value) {
     if (PyUnicode_Check(value.ptr()) != 0 || PyBytes_Check(value.ptr()) != 0 ||
         PySequence_Check(value.ptr()) == 0)
         return false;
-    const bool has_length = PyObject_Size(value.ptr()) >= 0;
-    PyErr_Clear();  // An array of no dimensions is a number.
-    return has_length;
+    if (PyObject_Size(value.ptr()) >= 0) return true;
+    // An array of no dimensions is a number.
+    if (PyErr_ExceptionMatches(PyExc_TypeError) == 0) throw py::error_already_set();
+    PyErr_Clear();
+    return false;
 }
 
 bool is_number(const py::handle& value) {
@@ -49,6 +51,14 @@ std::string number_text(const py::handle& value, const std::string& keyword) {
     if (PyLong_Check(value.ptr()) != 0) return py::str(value);
     std::string text = py::repr(py::float_(number_of(value, keyword.c_str())));
     if (text.ends_with(".0")) text.resize(text.size() - 2);
+    return text;
+}
+
+// No option has a name with lone surrogates. They are escaped, for the message.
+std::string keyword_text(const py::handle& key) {
+    const auto text = py::reinterpret_steal<py::bytes>(
+        PyUnicode_AsEncodedString(key.ptr(), "utf-8", "backslashreplace"));
+    if (!text) throw py::error_already_set();
     return text;
 }
 
@@ -82,8 +92,11 @@ struct Words {
 
 // Of a number or name, or of a list of these.
 std::string value_text(const py::handle& value, const std::string& keyword) {
-    if (PyUnicode_Check(value.ptr()) != 0) return value.cast<std::string>();
+    if (PyUnicode_Check(value.ptr()) != 0) return utf8_of(value, keyword);
     if (is_number(value)) return number_text(value, keyword);
+    if (!is_list(value))
+        throw py::type_error(keyword + ": expected numbers or names, not " +
+                             py::repr(value).cast<std::string>());
     std::string text;
     for (const py::handle& item : py::reinterpret_borrow<py::object>(value)) {
         if (!is_number(item) && PyUnicode_Check(item.ptr()) == 0)
@@ -149,7 +162,7 @@ std::string in_keywords(std::string message) {
 void parse_keywords(CLI::App& app, const py::dict& keywords) {
     Words words;
     for (const auto& [key, value] : keywords) {
-        const auto keyword = key.cast<std::string>();
+        const std::string keyword = keyword_text(key);
         const CLI::Option* option = app.get_option_no_throw(option_name(keyword));
         if (option == nullptr || keyword == "help") {
             std::vector<std::string> known;

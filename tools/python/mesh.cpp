@@ -12,6 +12,7 @@
 #include "tools/python/errors.h"
 #include "tools/python/keywords.h"
 #include "tools/python/long_calls.h"
+#include "tools/python/number_rows.h"
 
 namespace rimline::python {
 
@@ -38,16 +39,20 @@ void warn(const std::string& warning) {
 SharedMesh mesh_of_arrays(const py::object& vertices, const py::object& faces, const py::object& up,
                           const py::object& weld, const py::object& progress) {
     const Welding welding = flag_of(weld, "weld") ? Welding::equal_positions : Welding::none;
-    MeshSource source{.positions = float_positions_of(vertices, "vertices"), .triangles = {}};
-    source.triangles = faces_of(faces, "faces", source.positions.size());
+    const NumberRows vertex_rows(vertices, "vertices", NumberRows::Kind::real);
+    const NumberRows face_rows(faces, "faces", NumberRows::Kind::integer);
+    MeshSource source;
     if (!up.is_none()) {
-        const std::string axis = py::str(up);
+        const std::string axis = PyUnicode_Check(up.ptr()) != 0 ? word_of(up, "up") : "";
         if (axis != "y" && axis != "z") throw py::value_error("up: expected 'y' or 'z'");
         source.up = axis == "z" ? UpAxis::z : UpAxis::y;
         source.is_up_known = true;
     }
     SharedMesh mesh = long_result(progress, [&](const LongCall& call) {
-        return std::make_shared<BoundMesh>("the mesh", std::move(source), welding, call);
+        source.positions = vertex_rows.float_positions(call.part(0.0, 0.05));
+        source.triangles = face_rows.faces(source.positions.size(), call.part(0.05, 0.1));
+        return std::make_shared<BoundMesh>("the mesh", std::move(source), welding,
+                                           call.part(0.1, 1.0));
     });
     const std::string warning = mesh->lost_shape_warning();
     if (!warning.empty()) warn(warning);

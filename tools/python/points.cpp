@@ -11,6 +11,7 @@
 #include "silhouette/points/umbrella_index.h"
 #include "tools/python/arrays.h"
 #include "tools/python/long_calls.h"
+#include "tools/python/number_rows.h"
 
 namespace rimline::python {
 
@@ -28,10 +29,10 @@ public:
         const PointSurfaceOptions options{
             .k = count_of(k, "k", 4, 32),
             .drops_outliers = flag_of(drop_outliers, "drop_outliers")};
-        std::vector<glm::dvec3> positions = positions_of(points, "points");
-        if (positions.empty()) throw py::value_error("points: expected at least one");
+        const NumberRows rows(points, "points", NumberRows::Kind::real);
+        if (rows.count() == 0) throw py::value_error("points: expected at least one");
         run_long(progress, [&](const LongCall& call) {
-            call.checkpoint(0.0);
+            std::vector<glm::dvec3> positions = rows.positions(call.part(0.0, 0.02));
             number_rows(positions, call.stop);
             surface_.emplace(positions, options, call.part(0.02, 0.8));
             weights_ = feature_weights(*surface_, call.part(0.8, 0.9));

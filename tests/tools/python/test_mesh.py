@@ -345,12 +345,15 @@ if name == "sample":
     path = rimline.camera_path(rimline.load("shape:box"), 3, visible=False)
 elif name == "save":
     picture = np.random.default_rng(1).integers(0, 256, (4000, 4000, 4), dtype=np.uint8).view(rimline.Picture)
+elif name == "read":
+    vertices, faces = np.zeros((9_000_000, 3), dtype=">f8"), np.zeros((1, 3), dtype=int)
 elif name not in ("load", "turn"):
     mesh = rimline.load("shape:knot:1000000")
     vertices, faces = mesh.vertices, mesh.faces
 calls = {
     "load": lambda: rimline.load("shape:knot:500000", subdivide=3),
     "mesh": lambda: rimline.Mesh(vertices, faces),
+    "read": lambda: rimline.Mesh(vertices, faces),
     "index": lambda: mesh.build_index(),
     "lines": lambda: rimline.LineDrawer(mesh),
     "field": lambda: rimline.TangentialField(mesh, tolerance=1e-3),
@@ -387,7 +390,7 @@ thread.join()
 
 
 @pytest.mark.parametrize(("name", "delay_s"), [
-    ("load", 0.08), ("mesh", 0.08), ("index", 0.08), ("lines", 0.08), ("field", 0.08), ("views", 0.08),
+    ("load", 0.08), ("mesh", 0.08), ("read", 0.04), ("index", 0.08), ("lines", 0.08), ("field", 0.08), ("views", 0.08),
     ("light", 0.08), ("points", 0.08), ("sample", 0.08), ("save", 0.04), ("save", 0.6), ("turn", 0.3),
     ("load", 0.8), ("index", 0.3), ("index", 0.6), ("lines", 0.6), ("field", 0.32), ("light", 0.35),
     ("render", 0.02), ("render", 0.7), ("render", 1.5), ("render", 2.5)])
