@@ -62,8 +62,11 @@ pybind11::array_t<Number> copied(std::span<const Element> elements, pybind11::ss
     static_assert(sizeof(Element) % sizeof(Number) == 0);
     std::vector<pybind11::ssize_t> shape{static_cast<pybind11::ssize_t>(elements.size())};
     if (columns > 0) shape.push_back(columns);
-    return pybind11::array_t<Number>(std::move(shape),
-                                     reinterpret_cast<const Number*>(elements.data()));
+    // numpy would give up the interpreter's lock to copy many (unlocked.h).
+    pybind11::array_t<Number> array(std::move(shape));
+    if (!elements.empty())
+        std::memcpy(array.mutable_data(), elements.data(), elements.size_bytes());
+    return array;
 }
 
 /// An array of three numbers.

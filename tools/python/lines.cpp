@@ -16,6 +16,7 @@
 #include "tools/python/keywords.h"
 #include "tools/python/long_calls.h"
 #include "tools/python/mesh.h"
+#include "tools/python/unlocked.h"
 
 namespace rimline::python {
 
@@ -106,7 +107,7 @@ void save(const BoundDrawing& drawing, const py::object& path) {
     if (!format || format == tools::DrawingFormat::json)
         throw tools::UsageError("path: expected a name that ends in .svg, .pdf or .dxf, not '" +
                                 name + "'");
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     tools::OutputFile file(name);
     file.write(format == tools::DrawingFormat::svg   ? drawing_svg(drawing.page)
                : format == tools::DrawingFormat::pdf ? drawing_pdf(drawing.page)
@@ -116,7 +117,7 @@ void save(const BoundDrawing& drawing, const py::object& path) {
 
 // A file's text, without Python's lock.
 std::string text_of(std::string (*write)(const tools::PageDrawing&), const BoundDrawing& drawing) {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     return write(drawing.page);
 }
 

@@ -1,7 +1,7 @@
 #include "tools/python/long_calls.h"
 
 #include <cxxabi.h>
-#include <unistd.h>
+#include <pthread.h>
 
 #include <algorithm>
 #include <atomic>
@@ -14,6 +14,8 @@
 #include <thread>
 #include <utility>
 #include <vector>
+
+#include "tools/python/unlocked.h"
 
 namespace rimline::python {
 
@@ -46,26 +48,31 @@ public:
         }
     }
 
+    // The interpreter may end while these run Python's code. So they have no objects whose destructors need its lock.
     void show(double share) {
         if (share <= shown_) return;
-        if (function_) function_(share);
+        if (function_) release(PyObject_CallFunction(function_.ptr(), "d", share));
         if (bar_) {
-            const double total = bar_.attr("total").cast<double>();
-            bar_.attr("update")(total * (share - std::max(shown_, 0.0)));
+            PyObject* const number = PyObject_GetAttrString(bar_.ptr(), "total");
+            const double total = number == nullptr ? -1.0 : PyFloat_AsDouble(number);
+            Py_XDECREF(number);
+            if (PyErr_Occurred() != nullptr) throw py::error_already_set();
+            release(PyObject_CallMethod(bar_.ptr(), "update", "d",
+                                        total * (share - std::max(shown_, 0.0))));
         }
         shown_ = share;
     }
     void close() {
-        if (closes_bar_) bar_.attr("close")();
-    }
-    /// Gives up Python's objects where the interpreter ends: they cannot be released any more.
-    void abandon() noexcept {
-        bar_.release();
-        function_.release();
+        if (closes_bar_) release(PyObject_CallMethod(bar_.ptr(), "close", nullptr));
     }
 
 private:
     static constexpr const char* k_format = "{percentage:3.0f}%|{bar}| {elapsed}";
+
+    static void release(PyObject* result) {
+        if (result == nullptr) throw py::error_already_set();
+        Py_DECREF(result);
+    }
 
     py::object bar_, function_;
     bool closes_bar_ = false;
@@ -80,6 +87,7 @@ struct Work {
     std::mutex mutex;
     std::condition_variable ends;
     bool has_ended = false;
+    std::atomic<bool> is_left = false;  // It ends by itself.
     std::exception_ptr failure;
 
     void run() noexcept {
@@ -106,37 +114,60 @@ struct Work {
     }
 };
 
-// Work that was left alone. A child of fork() has none of its threads.
-struct LeftWork {
-    pid_t process = getpid();
-    std::mutex mutex;
-    std::vector<std::shared_ptr<Work>> works;
-
-    void add(const std::shared_ptr<Work>& work) {
-        const std::lock_guard lock(mutex);
-        std::erase_if(works, [](const auto& other) { return other->ends_within(0ms); });
-        works.push_back(work);
-    }
-    void wait() {
-        if (process != getpid()) return;
-        const std::lock_guard lock(mutex);
-        for (const std::shared_ptr<Work>& work : works) work->wait();
-        works.clear();
-    }
-};
-LeftWork& left_works() {
-    static LeftWork left;
-    return left;
+bool ends_soon(Work& work) {
+    const Unlocked unlocked;
+    return work.ends_within(k_wake_up);
 }
 
+// Work that has not ended.
+class RunningWorks {
+public:
+    void add(const std::shared_ptr<Work>& work) {
+        const std::lock_guard lock(mutex_);
+        std::erase_if(works_, [](const auto& other) { return other->ends_within(0ms); });
+        works_.push_back(work);
+    }
+    void stop() {
+        for (const std::shared_ptr<Work>& work : all()) work->stop.request_stop();
+    }
+    void wait_for_left() {
+        for (const std::shared_ptr<Work>& work : all())
+            if (work->is_left) work->wait();
+    }
+    void wait() {
+        for (const std::shared_ptr<Work>& work : all()) work->wait();
+    }
+
+private:
+    std::vector<std::shared_ptr<Work>> all() {
+        const std::lock_guard lock(mutex_);
+        return works_;
+    }
+
+    std::mutex mutex_;
+    std::vector<std::shared_ptr<Work>> works_;
+};
+
+// Never freed: work may outlive static objects. A child of fork() has none of the threads, and its own list.
+RunningWorks* g_works = new RunningWorks;
+
 // Waits for `work` after a stop; at most `patience`, if given.
-void stop_work(const std::shared_ptr<Work>& work,
-               std::optional<std::chrono::milliseconds> patience) {
-    work->stop.request_stop();
+void stop_work(Work& work, std::optional<std::chrono::milliseconds> patience) {
+    work.stop.request_stop();
     if (!patience)
-        work->wait();
-    else if (!work->ends_within(*patience))
-        left_works().add(work);
+        work.wait();
+    else if (!work.ends_within(*patience))
+        work.is_left = true;
+}
+
+// Calls call(), which runs Python's code. Where the interpreter ends in it, bind_long_calls() has the work stopped.
+template <typename Call>
+void in_python(Call call) {
+    try {
+        call();
+    } catch (abi::__forced_unwind&) {
+        sleep_until_exit();
+    }
 }
 
 void run(const py::object& progress, std::function<void(const LongCall&)> function,
@@ -145,30 +176,22 @@ void run(const py::object& progress, std::function<void(const LongCall&)> functi
     const auto work = std::make_shared<Work>();
     work->function = std::move(function);
     std::thread([work] { work->run(); }).detach();
+    g_works->add(work);
     std::exception_ptr interruption;
     try {
-        for (bool is_over = false; !is_over;) {
-            // Not by a destructor: where the interpreter ends, this thread ends in PyEval_RestoreThread().
-            PyThreadState* const state = PyEval_SaveThread();
-            is_over = work->ends_within(k_wake_up);
-            PyEval_RestoreThread(state);
-            if (is_over) break;
-            if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-            shown.show(work->share);
-        }
-    } catch (abi::__forced_unwind&) {
-        stop_work(work, std::nullopt);  // The interpreter waits no more.
-        shown.abandon();
-        throw;
+        while (!ends_soon(*work))
+            in_python([&] {
+                if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+                shown.show(work->share);
+            });
     } catch (...) {
         interruption = std::current_exception();
-        PyThreadState* const state = PyEval_SaveThread();
-        stop_work(work, patience);
-        PyEval_RestoreThread(state);
+        const Unlocked unlocked;
+        stop_work(*work, patience);
     }
     const std::exception_ptr failure = interruption ? interruption : work->failure;
-    if (!failure) shown.show(1.0);
-    shown.close();
+    if (!failure) in_python([&] { shown.show(1.0); });
+    in_python([&] { shown.close(); });
     if (failure) std::rethrow_exception(failure);
 }
 
@@ -184,11 +207,17 @@ void run_long_apart(const py::object& progress, std::function<void(const LongCal
 }
 
 void bind_long_calls(py::module_& module) {
-    left_works();
-    module.def(
-        "_wait_for_left_work", [] { left_works().wait(); },
-        py::call_guard<py::gil_scoped_release>());
+    module.def("_wait_for_left_work", [] {
+        const Unlocked unlocked;
+        g_works->wait_for_left();
+    });
     py::module_::import("atexit").attr("register")(module.attr("_wait_for_left_work"));
+    // Threads that called for the other work sleep by now, and no longer stop it.
+    Py_AtExit([] {
+        g_works->stop();
+        g_works->wait();
+    });
+    pthread_atfork(nullptr, nullptr, [] { g_works = new RunningWorks; });
 }
 
 }  // namespace rimline::python

@@ -19,6 +19,7 @@ namespace rimline::python {
 /// Calls work(call) without the interpreter's lock; it must not touch Python's objects. `progress` is None, True (a bar
 /// of tqdm), a bar of tqdm, or a function that takes the finished share, 0 to 1. Throws what `work` and `progress`
 /// throw, and the exception of a signal's handler, such as KeyboardInterrupt; then the work has ended.
+/// Where the interpreter ends, the work is stopped, its end is waited for, and the calling thread never returns.
 void run_long(const pybind11::object& progress, const std::function<void(const LongCall&)>& work);
 
 /// The same for work that does not end at once, as where it waits for a device: after an exception it is left alone, to

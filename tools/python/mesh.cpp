@@ -13,6 +13,7 @@
 #include "tools/python/keywords.h"
 #include "tools/python/long_calls.h"
 #include "tools/python/number_rows.h"
+#include "tools/python/unlocked.h"
 
 namespace rimline::python {
 
@@ -100,7 +101,7 @@ py::array front_faces(BoundMesh& mesh, const py::object& eye, const py::object& 
     const HomogeneousPoint point = point_of(eye, direction);
     py::array_t<bool> result(mesh.mesh().face_count());
     bool* const bits = result.mutable_data();
-    const py::gil_scoped_release released;
+    const Unlocked unlocked;
     const std::vector<std::uint32_t> words = brute_force_face_bits(mesh.mesh(), point);
     for (std::uint32_t face = 0; face < mesh.mesh().face_count(); ++face)
         bits[face] = face_bit(words, FaceId{face});
@@ -112,8 +113,8 @@ template <class Number, class Fill>
 py::array filled_rows(std::size_t rows, py::ssize_t columns, const Fill& fill) {
     py::array_t<Number> result(std::vector<py::ssize_t>{static_cast<py::ssize_t>(rows), columns});
     Number* const numbers = result.mutable_data();
-    std::optional<py::gil_scoped_release> released;
-    if (rows > k_many_rows) released.emplace();
+    std::optional<Unlocked> unlocked;
+    if (rows > k_many_rows) unlocked.emplace();
     fill(numbers);
     return result;
 }

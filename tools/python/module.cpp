@@ -12,6 +12,7 @@
 #include "tools/python/points.h"
 #include "tools/python/renderer.h"
 #include "tools/python/tracker.h"
+#include "tools/python/unlocked.h"
 
 namespace py = pybind11;
 
@@ -21,6 +22,7 @@ PYBIND11_MODULE(_rimline, module) {
     module.attr("__version__") = RIMLINE_VERSION;
     rimline::tools::be_quiet();  // What the command's parts would print.
     bind_errors(module);
+    bind_unlocked();
     bind_long_calls(module);
     bind_mesh(module);
     bind_tracker(module);

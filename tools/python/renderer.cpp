@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "engine/vulkan/device.h"
@@ -42,9 +43,10 @@ py::array render(const std::shared_ptr<BoundRenderer>& renderer, const SharedMes
     parse_keywords(options->app, keywords);
     const Picture picture = long_result_apart(
         progress, [=](const LongCall& call) { return renderer->render(mesh, *options, call); });
-    return py::array_t<std::uint8_t>(
-        std::vector<py::ssize_t>{py::ssize_t(picture.height), py::ssize_t(picture.width), 4},
-        picture.rgba.data());
+    py::array_t<std::uint8_t> pixels(
+        std::vector<py::ssize_t>{py::ssize_t(picture.height), py::ssize_t(picture.width), 4});
+    std::ranges::copy(picture.rgba, pixels.mutable_data());
+    return pixels;
 }
 
 // Raises what render() would raise for them, whatever the mesh.

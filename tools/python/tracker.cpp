@@ -11,6 +11,7 @@
 #include "tools/python/arrays.h"
 #include "tools/python/long_calls.h"
 #include "tools/python/mesh.h"
+#include "tools/python/unlocked.h"
 
 namespace rimline::python {
 
@@ -62,7 +63,7 @@ public:
         py::object change = changes_.take();
         auto& published = change.cast<PythonChange&>().change;
         {
-            const py::gil_scoped_release unlocked;
+            const Unlocked unlocked;
             const std::lock_guard lock(*mutex_);
             published.assign(tracker_->move_to(point), {});
         }
@@ -156,7 +157,7 @@ public:
 
     bool remove() {
         SilhouetteService& running = service();
-        const py::gil_scoped_release unlocked;
+        const Unlocked unlocked;
         return running.remove(id_);
     }
     void post(const py::object& eye, const py::object& direction) {
@@ -191,7 +192,7 @@ public:
                 return py::none();
             }
             if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-            const py::gil_scoped_release unlocked;
+            const Unlocked unlocked;
             // Moves take some 20 microseconds to a millisecond.
             std::this_thread::sleep_for(std::chrono::microseconds(waited_s < 1e-3 ? 20 : 500));
         }
@@ -201,7 +202,7 @@ public:
         auto result = std::make_unique<PythonSnapshot>();
         result->face_count = mesh_->mesh().face_count();
         SilhouetteService& running = service();
-        const py::gil_scoped_release unlocked;
+        const Unlocked unlocked;
         if (!running.snapshot(id_, result->snapshot))
             throw Error(ErrorCode::cancelled, "the tracker was removed");
         return result;

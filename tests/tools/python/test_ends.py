@@ -1,0 +1,92 @@
+"""The end of the interpreter while daemon threads call, and children of fork."""
+
+import subprocess
+import sys
+
+import pytest
+from conftest import have_device
+
+import rimline
+
+LOOPS = """
+import os, sys, threading, time
+import rimline
+
+mesh, big = rimline.load("shape:knot:2000"), rimline.load("shape:knot:200000")
+tracker, drawing = rimline.Tracker(mesh, (2, 1, 5)), rimline.draw(mesh)
+service = rimline.SilhouetteService(workers=1)
+followed = service.add(mesh, (2, 1, 5))
+eyes = [(2, 1, 5), (5, 1, 2)]
+
+def follow():
+    eyes.reverse()
+    followed.post(eyes[0])
+    followed.take(timeout=1)
+
+def move():
+    eyes.reverse()
+    tracker.move_to(eyes[0])
+
+def render():
+    renderer.render(mesh, size=(64, 64))
+
+calls = {
+    "move_to": move,
+    "edges": lambda: tracker.edges,
+    "take": lambda: followed.take(timeout=1),
+    "follow": follow,
+    "snapshot": followed.snapshot,
+    "front_faces": lambda: big.front_faces((2, 1, 5)),
+    "edge_faces": lambda: big.edge_faces,
+    "to_svg": drawing.to_svg,
+    "save": lambda: drawing.save(sys.argv[2]),
+    "silhouette": lambda: big.silhouette(eye=(2, 1, 5), progress=None),
+    "mesh": lambda: rimline.Mesh(big.vertices, big.faces, progress=lambda share: None),
+    "bar": lambda: rimline.Mesh(big.vertices, big.faces, progress=bar),
+    "index": lambda: rimline.Mesh(big.vertices, big.faces).build_index(),
+    "draw": lambda: rimline.draw(big, progress=lambda share: None),
+    "blocked": lambda: rimline.Mesh(big.vertices, big.faces, progress=lambda share: time.sleep(100)),
+    "render": render,
+}
+
+class Bar:
+    n = 0
+    total = 1.0
+    def update(self, share):
+        self.n += share
+
+bar = Bar()
+if sys.argv[1] == "render":
+    renderer = rimline.Renderer()
+
+def loop():
+    while True:
+        calls[sys.argv[1]]()
+
+for _ in range(2):
+    threading.Thread(target=loop, daemon=True).start()
+time.sleep(0.25)
+"""
+
+
+@pytest.mark.parametrize("call", [
+    "move_to", "edges", "take", "follow", "snapshot", "front_faces", "edge_faces", "to_svg", "save", "silhouette",
+    "mesh", "bar", "index", "draw", "blocked", "render"])
+def test_daemon_threads_in_calls_do_not_break_the_end_of_the_interpreter(call, tmp_path):
+    if call == "render":
+        have_device()
+    for _ in range(5):
+        result = subprocess.run([sys.executable, "-c", LOOPS, call, str(tmp_path / "drawing.svg")],
+                                capture_output=True, text=True, timeout=60)
+        assert result.returncode == 0 and result.stderr == "", (result.returncode, result.stderr)
+
+
+def test_a_child_of_fork_makes_long_calls_and_ends():
+    code = ("import os, rimline, threading; mesh = rimline.load('shape:knot:300000');"
+            "thread = threading.Thread(target=lambda: rimline.LineDrawer(mesh)); thread.start()\n"
+            "child = os.fork()\n"
+            "if child == 0:\n"
+            "    rimline.load('shape:knot:2000').build_index(); raise SystemExit(7)\n"
+            "raise SystemExit(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))")
+    result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    assert result.returncode == 7, result.stderr
