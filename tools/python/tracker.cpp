@@ -71,20 +71,32 @@ public:
         return change;
     }
 
-    /// Calls read(tracker) while it does not move.
+    /// What read(tracker) copies while it does not move. `read` must make no Python objects: the garbage collector
+    /// could then run code that uses this tracker.
     template <typename Read>
-    auto reading(Read read) const {
-        const std::unique_lock lock = locked();
+    auto read(Read read) const {
+        const Unlocked unlocked;
+        const std::lock_guard lock(*mutex_);
         return read(*tracker_);
+    }
+    std::vector<EdgeId> silhouette() const {
+        return read([](const SilhouetteTracker& tracker) { return copy_of(tracker.silhouette()); });
+    }
+    std::vector<std::uint32_t> face_words() const {
+        return read([](const SilhouetteTracker& tracker) { return copy_of(tracker.face_words()); });
+    }
+    std::uint64_t sequence() const {
+        return read([](const SilhouetteTracker& tracker) { return tracker.sequence(); });
+    }
+    HomogeneousPoint point() const {
+        return read([](const SilhouetteTracker& tracker) { return tracker.point(); });
     }
     const Mesh& mesh() const { return tracker_->mesh(); }
 
 private:
-    // A thread that moves the tracker does not need the interpreter's lock, but one that waits for this lock must not
-    // hold it.
-    std::unique_lock<std::mutex> locked() const {
-        const py::gil_scoped_release unlocked;
-        return std::unique_lock(*mutex_);
+    template <typename Element>
+    static std::vector<Element> copy_of(std::span<const Element> elements) {
+        return {elements.begin(), elements.end()};
     }
 
     SharedMesh mesh_;
@@ -285,48 +297,28 @@ void bind_tracker(py::module_& module) {
         .def_property_readonly(
             "silhouette",
             [](const PythonTracker& t) {
-                return t.reading([](const SilhouetteTracker& tracker) {
-                    return copied<std::uint32_t>(tracker.silhouette());
-                });
+                return copied<std::uint32_t>(std::span<const EdgeId>(t.silhouette()));
             },
             "N uint32: the edges of the silhouette, as rows of Mesh.edges, in the order of slots.")
         .def_property_readonly(
-            "edges",
-            [](const PythonTracker& t) {
-                return t.reading([](const SilhouetteTracker& tracker) {
-                    return edge_vertices(tracker.mesh(), tracker.silhouette());
-                });
-            },
+            "edges", [](const PythonTracker& t) { return edge_vertices(t.mesh(), t.silhouette()); },
             "N x 2 uint32: the same as vertices.")
         .def_property_readonly(
             "front_faces",
             [](const PythonTracker& t) {
-                return t.reading([](const SilhouetteTracker& tracker) {
-                    return front_of_words(tracker.face_words(), tracker.mesh().face_count());
-                });
+                return front_of_words(t.face_words(), t.mesh().face_count());
             },
             "F bool: whether each face is seen from its front.")
         .def_property_readonly(
             "face_words",
             [](const PythonTracker& t) {
-                return t.reading([](const SilhouetteTracker& tracker) {
-                    return copied<std::uint32_t>(tracker.face_words());
-                });
+                return copied<std::uint32_t>(std::span<const std::uint32_t>(t.face_words()));
             },
             "uint32: the same packed, 32 faces a word.")
+        .def_property_readonly("sequence", &PythonTracker::sequence,
+                               "That of the last change set; 0 before the first move.")
         .def_property_readonly(
-            "sequence",
-            [](const PythonTracker& t) {
-                return t.reading(
-                    [](const SilhouetteTracker& tracker) { return tracker.sequence(); });
-            },
-            "That of the last change set; 0 before the first move.")
-        .def_property_readonly(
-            "point",
-            [](const PythonTracker& t) {
-                return t.reading(
-                    [](const SilhouetteTracker& tracker) { return tuple_of(tracker.point()); });
-            },
+            "point", [](const PythonTracker& t) { return tuple_of(t.point()); },
             "x, y, z, and 1 for a viewpoint or 0 for a direction.");
 
     py::class_<PythonSnapshot>(

@@ -90,3 +90,29 @@ def test_a_child_of_fork_makes_long_calls_and_ends():
             "raise SystemExit(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))")
     result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
     assert result.returncode == 7, result.stderr
+
+
+USED_BY_THE_COLLECTOR = """
+import gc, rimline
+
+tracker = rimline.Tracker(rimline.load("shape:knot:500"), (3, 2, 1))
+
+class Cycle:
+    def __init__(self):
+        self.me = self
+    def __del__(self):
+        uses.append(tracker.point)
+
+uses = []
+gc.set_threshold(1)
+for read in (lambda: tracker.point, lambda: tracker.edges, lambda: tracker.silhouette, lambda: tracker.front_faces):
+    for _ in range(200):
+        Cycle()
+        read()
+assert len(uses) > 100
+"""
+
+
+def test_the_collector_may_run_code_that_uses_the_tracker():
+    result = subprocess.run([sys.executable, "-c", USED_BY_THE_COLLECTOR], capture_output=True, text=True, timeout=60)
+    assert result.returncode == 0, result.stderr

@@ -180,7 +180,8 @@ class Renderer(_rimline.Renderer):
 
 
 _shared_renderer: Renderer | None = None
-_shared_renderer_lock = threading.Lock()
+# The garbage collector may run code that draws while the renderer is made.
+_shared_renderer_lock = threading.RLock()
 
 
 def _refuse_copies(self: Any, protocol: Any = None) -> Any:
@@ -196,7 +197,7 @@ for _value in vars(_rimline).values():
 def _forget_renderer() -> None:
     """In a child of fork(): the device belongs to the parent."""
     global _shared_renderer, _shared_renderer_lock
-    _shared_renderer, _shared_renderer_lock = None, threading.Lock()
+    _shared_renderer, _shared_renderer_lock = None, threading.RLock()
 
 
 if hasattr(os, "register_at_fork"):
