@@ -1,5 +1,7 @@
 #include "tools/python/tracker.h"
 
+#include <unistd.h>
+
 #include <atomic>
 #include <chrono>
 #include <memory>
@@ -132,11 +134,26 @@ public:
             SilhouetteServiceOptions{.workers = count_of(workers, "workers", 0, k_max_workers),
                                      .max_pending = count_of(max_pending, "max_pending", 1)});
     }
-    ~PythonService() { stop(); }
+    PythonService(const PythonService&) = delete;
+    PythonService& operator=(const PythonService&) = delete;
+    ~PythonService() {
+        if (is_here())
+            stop();
+        else
+            static_cast<void>(service_.release());  // Its end would wait for the workers.
+    }
 
-    SilhouetteService& service() const { return *service_; }
+    /// False in a child of fork(), which has none of the workers.
+    bool is_here() const { return getpid() == process_; }
+    SilhouetteService& service() const {
+        if (!is_here())
+            throw Error(ErrorCode::cancelled,
+                        "the service works only in the process that made it, not in its children");
+        return *service_;
+    }
     void stop() {
-        const py::gil_scoped_release unlocked;
+        if (!is_here()) return;
+        const Unlocked unlocked;
         service_->stop();
         is_stopped_ = true;
     }
@@ -144,6 +161,7 @@ public:
     bool is_stopped() const { return is_stopped_; }
 
 private:
+    const pid_t process_ = getpid();
     std::unique_ptr<SilhouetteService> service_;
     std::atomic<bool> is_stopped_ = false;
 };
@@ -163,7 +181,9 @@ public:
             throw;
         }
     }
-    ~ServiceTracker() { remove(); }
+    ~ServiceTracker() {
+        if (service_.cast<const PythonService&>().is_here()) remove();
+    }
     ServiceTracker(const ServiceTracker&) = delete;
     ServiceTracker& operator=(const ServiceTracker&) = delete;
 

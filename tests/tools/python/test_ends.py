@@ -81,6 +81,40 @@ def test_daemon_threads_in_calls_do_not_break_the_end_of_the_interpreter(call, t
         assert result.returncode == 0 and result.stderr == "", (result.returncode, result.stderr)
 
 
+SERVICE_IN_A_CHILD = """
+import gc, multiprocessing, rimline
+
+service = rimline.SilhouetteService(workers=1)
+tracker = service.add(rimline.load("shape:knot:500"), (3, 2, 1))
+
+def use():
+    global service, tracker
+    refused = 0
+    for call in (lambda: tracker.post((1, 2, 3)), lambda: tracker.take(timeout=60), tracker.snapshot, tracker.remove,
+                 lambda: service.add(rimline.load("shape:box"), (3, 2, 1)), lambda: service.worker_count):
+        try:
+            call()
+        except rimline.CancelledError as error:
+            refused += "the process that made it" in str(error)
+    service.stop()
+    del call, service, tracker
+    gc.collect()
+    raise SystemExit(refused)
+
+child = multiprocessing.get_context("fork").Process(target=use)
+child.start()
+child.join(30)
+assert child.exitcode == 6, child.exitcode
+tracker.post((3, 2, 0.5))
+assert tracker.take(5.0) is not None
+"""
+
+
+def test_a_service_refuses_work_in_a_child_of_fork():
+    result = subprocess.run([sys.executable, "-c", SERVICE_IN_A_CHILD], capture_output=True, text=True, timeout=60)
+    assert result.returncode == 0, result.stderr
+
+
 def test_a_child_of_fork_makes_long_calls_and_ends():
     code = ("import os, rimline, threading; mesh = rimline.load('shape:knot:300000');"
             "thread = threading.Thread(target=lambda: rimline.LineDrawer(mesh)); thread.start()\n"
