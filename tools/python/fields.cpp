@@ -25,10 +25,12 @@
 #include "tools/options/view_choice.h"
 #include "tools/output/path_report.h"
 #include "tools/python/arrays.h"
+#include "tools/python/bound_class.h"
 #include "tools/python/keywords.h"
 #include "tools/python/long_calls.h"
 #include "tools/python/mesh.h"
 #include "tools/python/number_rows.h"
+#include "tools/python/renderer.h"
 
 namespace rimline::python {
 
@@ -121,12 +123,9 @@ py::list best_views(const py::object& mesh_object, const py::object& count,
                                    .below = word_of(below, "below")};
     if (choice.below != "less" && choice.below != "full")
         throw py::value_error("below: expected 'less' or 'full'");
-    if (!renderer.is_none() && !py::isinstance<tools::BoundRenderer>(renderer))
-        throw py::type_error(std::string("renderer: expected a rimline.Renderer, not ") +
-                             Py_TYPE(renderer.ptr())->tp_name);
+    const std::shared_ptr<tools::BoundRenderer> drawer =
+        renderer.is_none() ? nullptr : renderer_of(renderer);
     const glm::dvec3 upwards = up_of(shared->mesh(), up);
-    std::shared_ptr<tools::BoundRenderer> drawer;
-    if (!renderer.is_none()) drawer = renderer.cast<std::shared_ptr<tools::BoundRenderer>>();
     const BestViews best = long_result_apart(progress, [=](const LongCall& call) {
         BoundMesh& mesh = *shared;
         tools::check_viewing_range(mesh.name(), mesh.mesh());
@@ -232,9 +231,10 @@ py::array best_light(const py::object& mesh_object, const py::object& eye, const
 }  // namespace
 
 void bind_fields(py::module_& module) {
-    py::class_<PythonField>(module, "TangentialField",
-                            "The sum over a mesh's planes of a function of the distance of a point "
-                            "from each. Immutable; any number of threads may use one.")
+    bound_class<PythonField>(
+        module, "TangentialField",
+        "The sum over a mesh's planes of a function of the distance of a point "
+        "from each. Immutable; any number of threads may use one.")
         .def(py::init<const py::object&, const py::object&, const py::object&, const py::object&,
                       const py::object&>(),
              py::arg("mesh"), py::arg("function") = "views", py::kw_only(),
@@ -253,7 +253,7 @@ void bind_fields(py::module_& module) {
             "error_bound", [](const PythonField& f) { return f.field().error_bound(); },
             "The greatest error of a value.");
 
-    py::class_<PythonView>(module, "View", "A viewpoint that best_views() chose.")
+    bound_class<PythonView>(module, "View", "A viewpoint that best_views() chose.")
         .def_property_readonly(
             "eye", [](const PythonView& v) { return array_of(v.view.eye); },
             "The viewpoint: 3 float64.")
@@ -281,7 +281,7 @@ void bind_fields(py::module_& module) {
                    ">";
         });
 
-    py::class_<PythonPath>(module, "CameraPath", "A closed, smooth path around a mesh.")
+    bound_class<PythonPath>(module, "CameraPath", "A closed, smooth path around a mesh.")
         .def(py::init<const py::object&, const py::object&, const py::object&, const py::object&>(),
              py::arg("mesh"), py::arg("eyes"), py::kw_only(), py::arg("up") = py::none(),
              py::arg("progress") = py::none(),

@@ -13,6 +13,7 @@
 #include "tools/output/output_file.h"
 #include "tools/output/page_line.h"
 #include "tools/python/arrays.h"
+#include "tools/python/bound_class.h"
 #include "tools/python/keywords.h"
 #include "tools/python/long_calls.h"
 #include "tools/python/mesh.h"
@@ -124,11 +125,11 @@ std::string text_of(std::string (*write)(const tools::PageDrawing&), const Bound
 }  // namespace
 
 void bind_lines(py::module_& module) {
-    py::class_<BoundDrawing>(module, "LineDrawing",
-                             "What a pen would draw of a mesh, and what is hidden.\n\n"
-                             "Picture coordinates have x to the right and y upwards, with the "
-                             "target at (0, 0): tangents of angles, or the model's units in an "
-                             "orthographic view. Places on the page are in mm, y downwards.")
+    bound_class<BoundDrawing>(module, "LineDrawing",
+                              "What a pen would draw of a mesh, and what is hidden.\n\n"
+                              "Picture coordinates have x to the right and y upwards, with the "
+                              "target at (0, 0): tangents of angles, or the model's units in an "
+                              "orthographic view. Places on the page are in mm, y downwards.")
         .def_property_readonly("lines", &lines_of,
                                "The lines on the page, as rimline.Line: kind, hidden, closed and "
                                "points (N x 2 float64, mm).")
@@ -197,8 +198,8 @@ void bind_lines(py::module_& module) {
             return "<rimline.LineDrawing of " + std::to_string(d.page.lines.size()) + " lines>";
         });
 
-    py::class_<BoundDrawer>(module, "LineDrawer",
-                            "Draws the lines of a mesh from a camera, with exact visibility.")
+    bound_class<BoundDrawer>(module, "LineDrawer",
+                             "Draws the lines of a mesh from a camera, with exact visibility.")
         .def(py::init(&make_drawer), py::arg("mesh"), py::kw_only(),
              py::arg("progress") = py::none(),
              "Finds the contacts of faces, about a microsecond a face; once a mesh.")

@@ -9,6 +9,7 @@
 #include "tools/options/model_argument.h"
 #include "tools/options/up_option.h"
 #include "tools/python/arrays.h"
+#include "tools/python/bound_class.h"
 #include "tools/python/errors.h"
 #include "tools/python/keywords.h"
 #include "tools/python/long_calls.h"
@@ -81,8 +82,9 @@ SharedMesh load(const py::object& path, const py::object& subdivide, const py::o
     return mesh;
 }
 
-PythonSilhouette silhouette(const SharedMesh& mesh, const py::object& eye,
+PythonSilhouette silhouette(const py::object& self, const py::object& eye,
                             const py::object& direction, const py::object& progress) {
+    const SharedMesh mesh = mesh_of(self);
     PythonSilhouette result{mesh, point_of(eye, direction), {}};
     result.edges = long_result(progress, [&](const LongCall&) {
         // An index takes fifty times the time of a test of all faces.
@@ -184,6 +186,7 @@ SharedMesh mesh_of(const py::object& mesh) {
     if (!py::isinstance<BoundMesh>(mesh))
         throw py::type_error(std::string("mesh: expected a rimline.Mesh, not ") +
                              Py_TYPE(mesh.ptr())->tp_name);
+    mesh.cast<const BoundMesh&>();  // TypeError where it was not made.
     return mesh.cast<SharedMesh>();
 }
 
@@ -196,9 +199,14 @@ py::array edge_vertices(const Mesh& mesh, std::span<const EdgeId> edges) {
 }
 
 void bind_mesh(py::module_& module) {
-    py::class_<PythonSilhouette>(module, "Silhouette",
-                                 "The silhouette of a mesh from a point: edges between a face that "
-                                 "is seen from the front and one that is not.")
+    bound_class<PythonSilhouette>(
+        module, "Silhouette",
+        "The silhouette of a mesh from a point: edges between a face that "
+        "is seen from the front and one that is not. Two faces that "
+        "traverse their edge in the same direction have opposite fronts: "
+        "their edge is in it where both are seen from the front, or "
+        "neither is. An edge of three faces or more is in it where some "
+        "are seen from the front and some are not.")
         .def("__len__", [](const PythonSilhouette& s) { return s.edges.size(); })
         .def_property_readonly(
             "edges",
@@ -216,9 +224,9 @@ void bind_mesh(py::module_& module) {
             return "<rimline.Silhouette of " + std::to_string(s.edges.size()) + " edges>";
         });
 
-    py::class_<BoundMesh, SharedMesh> mesh(
-        module, "Mesh", "A triangle mesh. Immutable; any number of threads may use one.");
-    mesh.def(py::init(&mesh_of_arrays), py::arg("vertices"), py::arg("faces"), py::kw_only(),
+    bound_class<BoundMesh, SharedMesh>(
+        module, "Mesh", "A triangle mesh. Immutable; any number of threads may use one.")
+        .def(py::init(&mesh_of_arrays), py::arg("vertices"), py::arg("faces"), py::kw_only(),
              py::arg("up") = py::none(), py::arg("weld") = true, py::arg("progress") = py::none(),
              "Makes a mesh of vertices (V x 3 numbers, rounded to float32) and faces (F x 3 "
              "integers, counter-clockwise from outside).\n\n"

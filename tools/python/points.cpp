@@ -10,6 +10,7 @@
 #include "silhouette/points/point_surface.h"
 #include "silhouette/points/umbrella_index.h"
 #include "tools/python/arrays.h"
+#include "tools/python/bound_class.h"
 #include "tools/python/long_calls.h"
 #include "tools/python/number_rows.h"
 
@@ -97,8 +98,8 @@ std::unique_ptr<PythonPointSilhouette> silhouette_of(const PythonPoints& self,
 }  // namespace
 
 void bind_points(py::module_& module) {
-    py::class_<PythonPointSilhouette>(module, "PointSilhouette",
-                                      "The silhouette of a point set from a point.")
+    bound_class<PythonPointSilhouette>(module, "PointSilhouette",
+                                       "The silhouette of a point set from a point.")
         .def("__len__", [](const PythonPointSilhouette& s) { return s.points.size(); })
         .def_property_readonly(
             "points",
@@ -114,10 +115,11 @@ void bind_points(py::module_& module) {
             },
             "N x 2 uint32: edges that are on the silhouette by consensus of both their points.");
 
-    py::class_<PythonPoints>(module, "PointSurface",
-                             "The surface that points were sampled from, point by point: normals, "
-                             "borders, features, silhouettes. Immutable; any number of threads may "
-                             "use one.")
+    bound_class<PythonPoints>(
+        module, "PointSurface",
+        "The surface that points were sampled from, point by point: normals, "
+        "borders, features, silhouettes. Immutable; any number of threads may "
+        "use one.")
         .def(py::init<const py::object&, const py::object&, const py::object&, const py::object&>(),
              py::arg("points"), py::kw_only(), py::arg("k") = 16, py::arg("drop_outliers") = false,
              py::arg("progress") = py::none(),

@@ -12,6 +12,7 @@
 #include "tools/output/output_file.h"
 #include "tools/output/picture_file.h"
 #include "tools/python/arrays.h"
+#include "tools/python/bound_class.h"
 #include "tools/python/keywords.h"
 #include "tools/python/long_calls.h"
 #include "tools/python/mesh.h"
@@ -20,9 +21,9 @@ namespace rimline::python {
 
 namespace py = pybind11;
 
-namespace {
-
 using tools::BoundRenderer;
+
+namespace {
 
 std::shared_ptr<BoundRenderer> make_renderer(const py::object& device, const py::object& validate) {
     const std::string device_name = word_of(device, "device");
@@ -37,8 +38,10 @@ std::shared_ptr<BoundRenderer> make_renderer(const py::object& device, const py:
     });
 }
 
-py::array render(const std::shared_ptr<BoundRenderer>& renderer, const SharedMesh& mesh,
-                 const py::dict& keywords, const py::object& progress) {
+py::array render(const py::object& self, const py::object& mesh_object, const py::dict& keywords,
+                 const py::object& progress) {
+    const std::shared_ptr<BoundRenderer> renderer = renderer_of(self);
+    const SharedMesh mesh = mesh_of(mesh_object);
     const auto options = std::make_shared<tools::RenderOptions>();
     parse_keywords(options->app, keywords);
     const Picture picture = long_result_apart(
@@ -112,8 +115,16 @@ py::list devices() {
 
 }  // namespace
 
+std::shared_ptr<BoundRenderer> renderer_of(const py::object& renderer) {
+    if (!py::isinstance<BoundRenderer>(renderer))
+        throw py::type_error(std::string("renderer: expected a rimline.Renderer, not ") +
+                             Py_TYPE(renderer.ptr())->tp_name);
+    renderer.cast<const BoundRenderer&>();  // TypeError where it was not made.
+    return renderer.cast<std::shared_ptr<BoundRenderer>>();
+}
+
 void bind_renderer(py::module_& module) {
-    py::class_<BoundRenderer, std::shared_ptr<BoundRenderer>>(
+    bound_class<BoundRenderer, std::shared_ptr<BoundRenderer>>(
         module, "Renderer",
         "Draws pictures on a Vulkan device. Threads that share one take "
         "turns.")
@@ -121,8 +132,7 @@ void bind_renderer(py::module_& module) {
              py::arg("validate") = false,
              "device: 'gpu', 'cpu', a number or a part of the name; a discrete GPU if there is "
              "one. validate: with validation layers. Raises NoDeviceError.")
-        .def("_render", &render, py::arg("mesh").none(false), py::arg("options"),
-             py::arg("progress"))
+        .def("_render", &render, py::arg("mesh"), py::arg("options"), py::arg("progress"))
         .def_property_readonly(
             "device_name", [](const BoundRenderer& r) { return r.device().device.facts().name; },
             "As its driver calls it.")

@@ -11,6 +11,7 @@
 #include "silhouette/hough/service/silhouette_service.h"
 #include "silhouette/hough/silhouette_tracker.h"
 #include "tools/python/arrays.h"
+#include "tools/python/bound_class.h"
 #include "tools/python/long_calls.h"
 #include "tools/python/mesh.h"
 #include "tools/python/unlocked.h"
@@ -250,7 +251,7 @@ private:
 };
 
 void bind_change_set(py::module_& module) {
-    py::class_<PythonChange>(
+    bound_class<PythonChange>(
         module, "ChangeSet",
         "What changed between two silhouettes of one mesh. Its arrays are views that stay valid "
         "as long as they live.\n\n"
@@ -302,7 +303,7 @@ void bind_change_set(py::module_& module) {
 void bind_tracker(py::module_& module) {
     bind_change_set(module);
 
-    py::class_<PythonTracker>(
+    bound_class<PythonTracker>(
         module, "Tracker",
         "The silhouette of one mesh from a moving point. Several trackers may share a mesh; one "
         "that several threads use moves for one after the other.")
@@ -341,7 +342,7 @@ void bind_tracker(py::module_& module) {
             "point", [](const PythonTracker& t) { return tuple_of(t.point()); },
             "x, y, z, and 1 for a viewpoint or 0 for a direction.");
 
-    py::class_<PythonSnapshot>(
+    bound_class<PythonSnapshot>(
         module, "Snapshot", "The whole state of a tracker, to which the next change set applies.")
         .def_property_readonly(
             "slots",
@@ -370,7 +371,7 @@ void bind_tracker(py::module_& module) {
             "point", [](const PythonSnapshot& s) { return tuple_of(s.snapshot.point); },
             "x, y, z, and 1 for a viewpoint or 0 for a direction.");
 
-    py::class_<ServiceTracker>(module, "ServiceTracker", "A tracker of a SilhouetteService.")
+    bound_class<ServiceTracker>(module, "ServiceTracker", "A tracker of a SilhouetteService.")
         .def("post", &ServiceTracker::post, py::arg("eye") = py::none(), py::kw_only(),
              py::arg("direction") = py::none(),
              "Asks for a move. Does not wait; a newer point takes the place of an older one that "
@@ -383,8 +384,11 @@ void bind_tracker(py::module_& module) {
         .def("remove", &ServiceTracker::remove,
              "Drops the tracker. False if it was removed before.");
 
-    py::class_<PythonService>(module, "SilhouetteService",
-                              "Many trackers, moved by threads of the library. A context manager.")
+    bound_class<PythonService>(
+        module, "SilhouetteService",
+        "Many trackers, moved by threads of the library. A context manager. It and its "
+        "trackers work in the process that made it: in a child of fork they raise "
+        "CancelledError.")
         .def(py::init<const py::object&, const py::object&>(), py::kw_only(),
              py::arg("workers") = 0, py::arg("max_pending") = 4,
              "workers: threads, 1024 at most; 0: one less than the processor has. max_pending: "
@@ -394,6 +398,7 @@ void bind_tracker(py::module_& module) {
             "add",
             [](py::object self, const py::object& mesh, const py::object& eye,
                const py::object& direction, const py::object& progress) {
+                self.cast<const PythonService&>();  // TypeError where it was not made.
                 return std::make_unique<ServiceTracker>(std::move(self), mesh_of(mesh),
                                                         point_of(eye, direction), progress);
             },

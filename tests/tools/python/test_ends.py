@@ -150,3 +150,56 @@ assert len(uses) > 100
 def test_the_collector_may_run_code_that_uses_the_tracker():
     result = subprocess.run([sys.executable, "-c", USED_BY_THE_COLLECTOR], capture_output=True, text=True, timeout=60)
     assert result.returncode == 0, result.stderr
+
+
+UNMADE = """
+import sys, rimline
+from rimline import _rimline
+
+bound = getattr(_rimline, sys.argv[1])
+names = [name for name in vars(bound) if not name.startswith("__")]
+calls = [lambda thing, name=name: getattr(thing, name) for name in names]
+calls += [repr, len] if "__len__" in vars(bound) else [repr] if "__repr__" in vars(bound) else []
+calls.append(lambda thing: rimline.Tracker(thing, (1, 2, 3)))
+for name in names:
+    for arguments in ((), ((1, 2, 3),), (rimline.load("shape:box"), (3, 2, 1)), (rimline.load("shape:box"), {}, None)):
+        calls.append(lambda thing, name=name, arguments=arguments: getattr(thing, name)(*arguments))
+refused = 0
+for call in calls:
+    thing = bound.__new__(bound)
+    try:
+        call(thing)
+    except TypeError as error:
+        refused += str(error) == f"{sys.argv[1]}.__init__() was not called"
+    except (AttributeError, ValueError):
+        pass
+
+class Hasty(bound):
+    def __init__(self):
+        getattr(self, names[0])()
+
+try:
+    Hasty()
+except TypeError as error:
+    refused += str(error) == f"{sys.argv[1]}.__init__() was not called"
+assert refused >= len(names), refused
+"""
+
+
+@pytest.mark.parametrize("name", [name for name, value in vars(rimline._rimline).items()
+                                  if isinstance(value, type) and not issubclass(value, BaseException)])
+def test_objects_that_were_not_made_are_refused(name):
+    result = subprocess.run([sys.executable, "-c", UNMADE, name], capture_output=True, text=True, timeout=60)
+    assert result.returncode == 0, result.stderr
+
+
+def test_meshes_and_renderers_that_were_not_made_are_no_arguments():
+    mesh, renderer = rimline.Mesh.__new__(rimline.Mesh), rimline.Renderer.__new__(rimline.Renderer)
+    for call in (lambda: rimline.draw(mesh), lambda: rimline.Tracker(mesh, (1, 2, 3)),
+                 lambda: mesh.silhouette((1, 2, 3))):
+        with pytest.raises(TypeError, match=r"^Mesh.__init__\(\) was not called"):
+            call()
+    box = rimline.load("shape:box")
+    for call in (lambda: renderer.render(box), lambda: rimline.best_views(box, renderer=renderer)):
+        with pytest.raises(TypeError, match=r"^Renderer.__init__\(\) was not called"):
+            call()
