@@ -38,6 +38,9 @@ PyObject* g_missing_file = nullptr;
 
 // The number of the system's error that the message ends with; 0: none.
 int system_error_in(std::string_view message) {
+    // Said in the library's own words.
+    if (message.ends_with("; create it first")) return ENOENT;
+    if (message.ends_with("; name a file in it")) return EISDIR;
     for (int number = 1; number < k_system_errors; ++number)
         if (message.ends_with(": " + std::generic_category().message(number))) return number;
     return 0;
@@ -48,9 +51,18 @@ void raise_file_error(std::string_view message) {
     const int number = system_error_in(message);
     PyObject* const exception =
         number == ENOENT ? g_missing_file : g_exceptions[std::size_t(ErrorCode::io)];
-    py::object error = py::reinterpret_borrow<py::object>(exception)(message_text(message));
-    if (number != 0) error.attr("errno") = number;
+    const auto make = py::reinterpret_borrow<py::object>(exception);
+    const py::str text = message_text(message);
+    // With two arguments OSError keeps errno where it is pickled.
+    const py::object error = number == 0 ? make(text) : make(number, text);
     PyErr_SetObject(exception, error.ptr());
+}
+
+// The library's message alone: OSError's own text begins with errno.
+py::object text_of_file_error(const py::object& error) {
+    const py::object text = error.attr("strerror");
+    if (py::isinstance<py::str>(text) && error.attr("filename").is_none()) return text;
+    return py::handle(PyExc_OSError).attr("__str__")(error);
 }
 
 }  // namespace
@@ -78,6 +90,10 @@ void bind_errors(py::module_& module) {
     add(ErrorCode::io, "FileError", PyExc_OSError,
         "The system could not read or write. The message names the path; errno is the system's, "
         "if known.");
+    const py::object file_error =
+        py::reinterpret_borrow<py::object>(g_exceptions[std::size_t(ErrorCode::io)]);
+    file_error.attr("__str__") =
+        py::cpp_function(&text_of_file_error, py::name("__str__"), py::is_method(file_error));
     g_missing_file =
         make_exception(module, "MissingFileError",
                        py::make_tuple(py::handle(g_exceptions[std::size_t(ErrorCode::io)]),

@@ -93,6 +93,32 @@ def test_paths_with_surrogates_are_names_of_files(tmp_path):
     assert os.path.exists(path)
 
 
+def test_errors_of_files_have_the_number_of_the_system(tmp_path):
+    drawing, picture = rimline.draw(BOX), np.full((4, 5, 4), 200, dtype=np.uint8).view(rimline.Picture)
+    for thing, name in ((drawing, "a.svg"), (picture, "a.png")):
+        with pytest.raises(rimline.MissingFileError, match="there is no folder") as missing:
+            thing.save(tmp_path / "none" / name)
+        assert missing.value.errno == errno.ENOENT
+    (tmp_path / "folder.svg").mkdir()
+    for call in (lambda: rimline.load(tmp_path), lambda: drawing.save(tmp_path / "folder.svg")):
+        with pytest.raises(rimline.FileError, match="name a file in it") as folder:
+            call()
+        assert folder.value.errno == errno.EISDIR and not isinstance(folder.value, FileNotFoundError)
+
+
+def test_pickled_errors_keep_their_number_and_text(tmp_path):
+    for path in (tmp_path / "missing.obj", tmp_path):
+        with pytest.raises(rimline.FileError) as caught:
+            rimline.load(path)
+        error = caught.value
+        for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+            copy = pickle.loads(pickle.dumps(error, protocol))
+            assert type(copy) is type(error) and copy.errno == error.errno != 0
+            assert str(copy) == str(error) and str(copy).startswith(str(tmp_path)) and "[Errno" not in str(copy)
+    assert str(rimline.FileError("lost")) == "lost"
+    assert str(rimline.FileError(2, "gone", "a.obj")) == "[Errno 2] gone: 'a.obj'"
+
+
 @pytest.mark.parametrize("kind", ["<f8", ">f8", ">f4", "f4"])
 def test_other_threads_run_while_large_arrays_are_read(kind):
     vertices = np.zeros((6_000_000, 3), dtype=kind)
