@@ -155,13 +155,13 @@ public:
             NumberRows(eyes, "eyes", NumberRows::Kind::real).positions({});
         if (views.size() < 2) throw py::value_error("eyes: expected at least two");
         const double radius = unit_frame(mesh).radius;
-        for (const glm::dvec3& view : views) {
-            const double distance = glm::distance(view, mesh.center()) / radius;
+        for (std::size_t i = 0; i < views.size(); ++i) {
+            const double distance = glm::distance(views[i], mesh.center()) / radius;
             if (!(distance >= 0.99 * k_view_shell.inner_radius &&
                   distance <= 1.01 * k_view_shell.outer_radius))
-                throw py::value_error(
-                    "eyes: expected points 1.73 to 2 radii from the mesh's center, as those of "
-                    "best_views()");
+                throw py::value_error("eyes[" + std::to_string(i) +
+                                      "]: expected a point 1.73 to 2 radii from the mesh's center, "
+                                      "as those of best_views()");
         }
         up_ = up_of(mesh, up);
         center_ = mesh.center();

@@ -144,6 +144,9 @@ void add_words(Words& words, const CLI::Option& option, const std::string& keywo
         const auto items = py::reinterpret_borrow<py::object>(value);
         if (!std::any_of(items.begin(), items.end(), is_list))
             return words.add(keyword, list_text(option, value, keyword), value);
+        if (option.get_expected_max() == 1 && py::len(items) > 1)
+            throw py::value_error(keyword + ": expected one value, not " +
+                                  py::repr(value).cast<std::string>());
         for (const py::handle& item : items) words.add(keyword, value_text(item, keyword), item);
     } else if (PyUnicode_Check(value.ptr()) != 0 || is_number(value)) {
         words.add(keyword, value_text(value, keyword), value);

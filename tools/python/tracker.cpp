@@ -41,12 +41,17 @@ class ChangeSets {
 public:
     /// Nobody but the caller has it, until give_back().
     py::object take() {
-        if (last_ && Py_REFCNT(last_.ptr()) == 1) return std::move(last_);
+        if (last_ && Py_REFCNT(last_.ptr()) == 1 && !has_weak_references(last_))
+            return std::move(last_);
         return py::cast(std::make_unique<PythonChange>());
     }
     void give_back(const py::object& change) { last_ = change; }
 
 private:
+    static bool has_weak_references(const py::object& change) {
+        return reinterpret_cast<const py::detail::instance*>(change.ptr())->weakrefs != nullptr;
+    }
+
     py::object last_;
 };
 

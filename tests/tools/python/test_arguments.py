@@ -119,6 +119,30 @@ def test_pickled_errors_keep_their_number_and_text(tmp_path):
     assert str(rimline.FileError(2, "gone", "a.obj")) == "[Errno 2] gone: 'a.obj'"
 
 
+@pytest.mark.parametrize("call, error, words", [
+    (lambda: rimline.best_views(BOX, visible=False, up="Auto"), ValueError, "up: .*auto, not 'Auto'"),
+    (lambda: rimline.Scene(BOX, light=[(1, 2, 3), None]), TypeError, "light: expected numbers or names, not None"),
+    (lambda: rimline.draw(BOX, eye=[(1, 2, 8), (2, 2, 8)]), ValueError,
+     r"eye: expected one value, not \[\(1, 2, 8\), \(2, 2, 8\)\]"),
+    (lambda: rimline.CameraPath(BOX, [rimline.best_views(BOX, 1, visible=False)[0].eye, (9, 9, 9)]), ValueError,
+     r"eyes\[1\]: expected a point 1.73 to 2"),
+    (lambda: rimline.camera_path(BOX, [(9, 9, 9), (0, 9, 9)]), ValueError, r"views\[0\]: expected a point 1.73 to 2"),
+    (lambda: rimline.best_views(BOX, renderer=3, visible=False), TypeError,
+     "renderer: expected a rimline.Renderer, not int"),
+    (lambda: rimline.Scene(BOX, size=b"32"), TypeError, "size: expected width and height, not b'32'"),
+    (lambda: rimline.Scene(BOX, size={640, 480}), TypeError, "size: expected width and height, not {"),
+    (lambda: rimline.Scene(BOX, size={640: 1, 480: 2}), TypeError, "size: expected width and height, not {"),
+])
+def test_messages_say_what_is_expected(call, error, words):
+    with pytest.raises(error, match=f"^{words}"):
+        call()
+
+
+def test_sizes_may_be_arrays():
+    for size in ([64, 48], (64, 48), np.array([64, 48]), "64x48"):
+        assert rimline.Scene(BOX, size=size).options["size"] == "64x48"
+
+
 @pytest.mark.parametrize("kind", ["<f8", ">f8", ">f4", "f4"])
 def test_other_threads_run_while_large_arrays_are_read(kind):
     vertices = np.zeros((6_000_000, 3), dtype=kind)

@@ -5,6 +5,7 @@ import resource
 import sys
 import threading
 import time
+import weakref
 
 import numpy as np
 import pytest
@@ -77,6 +78,16 @@ def test_arrays_are_views_and_their_memory_is_used_again(knot):
     assert id(tracker.move_to(eyes[2])) == first
     held = tracker.move_to(eyes[3]).added
     assert tracker.move_to(eyes[4]).added.base is not held.base
+
+
+def test_a_change_set_with_weak_references_does_not_change(knot):
+    eyes = orbit(knot, 10)
+    tracker = rimline.Tracker(knot, eyes[0])
+    change = tracker.move_to(eyes[1])
+    weak, sequence = weakref.ref(change), change.sequence
+    del change
+    tracker.move_to(eyes[2])
+    assert weak() is None or weak().sequence == sequence
 
 
 def test_wrong_arguments_leave_the_tracker_as_it_was(knot):

@@ -18,6 +18,7 @@ share.
 
 from __future__ import annotations
 
+import collections.abc
 import importlib
 import operator
 import os
@@ -150,6 +151,8 @@ class Scene:
             raise TypeError(f"mesh: expected a rimline.Mesh, not {type(mesh).__name__}")
         size = options.get("size")
         if size is not None and not isinstance(size, str):
+            if isinstance(size, (bytes, bytearray)) or not isinstance(size, (collections.abc.Sequence, np.ndarray)):
+                raise TypeError(f"size: expected width and height, not {size!r}")
             try:
                 width, height = map(operator.index, size)
             except (TypeError, ValueError) as error:
@@ -283,6 +286,8 @@ def best_views(
     """
     if not isinstance(visible, (bool, np.bool_)):
         raise TypeError(f"visible: expected True or False, not {visible!r}")
+    if renderer is not None and not isinstance(renderer, _rimline.Renderer):
+        raise TypeError(f"renderer: expected a rimline.Renderer, not {type(renderer).__name__}")
     if visible and renderer is None:
         renderer = _renderer()
     return _rimline._best_views(mesh, count, renderer if visible else None, below, by_area, up, progress)
