@@ -213,7 +213,8 @@ void bind_lines(py::module_& module) {
             "the name of a view), azimuth, elevation, target, up, fov, ortho, lines, crease, "
             "hidden, hidden_by, gap, min_length, stubble, smooth, "
             "simplify, curve, width, hidden_width, line_color, keep_coincident, page, margin, "
-            "scale.")
+            "scale. What is not given is as with the command, but for page: 'fit', as large as the "
+            "drawing.")
         .def(
             "draw_next",
             [](BoundDrawer& self, const py::object& progress, const py::kwargs& options) {

@@ -285,7 +285,7 @@ void bind_mesh(py::module_& module) {
             "axis on which the mesh stands; y unless another is clearly better.")
         .def_property_readonly(
             "is_closed", [](const BoundMesh& m) { return m.mesh().is_closed(); },
-            "Whether every edge has an even number of faces.")
+            "Whether there is an edge, and every edge has an even number of faces.")
         .def_property_readonly(
             "is_oriented", [](const BoundMesh& m) { return m.mesh().is_oriented(); },
             "Whether no edge has two faces that traverse it in the same direction.")

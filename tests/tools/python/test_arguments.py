@@ -161,3 +161,9 @@ def test_other_threads_run_while_large_arrays_are_read(kind):
     assert len(ticks) - start > 5
     over.set()
     thread.join()
+
+
+def test_transparent_pictures_have_the_background_none():
+    have_device()
+    opaque, transparent = (rimline.render(BOX, size=(32, 24), background=b) for b in (None, "none"))
+    assert (opaque[..., 3] == 255).all() and transparent[0, 0, 3] == 0

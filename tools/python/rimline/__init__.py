@@ -141,7 +141,7 @@ class Scene:
                  crease, intersections, min_length, hidden, silhouette_from (a point), silhouette_direction (towards
                  the viewer), shadows, ground, ground_up
         Lights   light (a point, or several), sun (a direction, several, or auto), lighting
-        Image    size (width and height), background (a color, or none)
+        Image    size (width and height), background (a color, or 'none'; None: a color of the style)
 
     A color is a name, '#rrggbb', or three numbers from 0 to 1. What is not given is chosen for the mesh.
     """
@@ -261,7 +261,10 @@ class _Parts:
 
 
 def draw(mesh: Mesh, *, progress: Any = None, **options: Any) -> LineDrawing:
-    """The lines of a mesh from a camera, with the options of LineDrawer.draw()."""
+    """The lines of a mesh from a camera, with the options of LineDrawer.draw().
+
+    They are those of `rimline draw`, but `page` is 'fit' if it is not given, and that of the command A4.
+    """
     with _Parts(progress) as parts:
         return LineDrawer(mesh, progress=parts.part(0.0, 0.5)).draw(progress=parts.part(0.5, 1.0), **options)
 
