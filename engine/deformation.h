@@ -44,7 +44,8 @@ struct BoundingSphere {
 /// A sphere around every vertex of the deformed mesh. O(1).
 BoundingSphere bounding_sphere(const Mesh& mesh, const Deformation& deformation);
 
-/// A default wave: along `up`, of any length but 0, with an amplitude of 0.1 radii of the mesh and a length of 1.5 radii.
+/// A default wave: along `up`, of any length but 0, with an amplitude of 0.1 radii of the mesh and a length of 1.5
+/// radii.
 Wave default_wave(const Mesh& mesh, const glm::dvec3& up, double turns);
 
 }  // namespace rimline

@@ -68,9 +68,9 @@ public:
     void announce(const Scene& scene) noexcept;
 
     /// Makes what record() needs for `scene` and `target`, of which format, extent, use, and whether there is a
-    /// backdrop count: meshes and silhouettes on the GPU, the images and pipelines of the passes. Call it when a scene has other
-    /// instances, lights, lines, surfaces, shadows or another style, or when the target or the scale changes; where
-    /// nothing is missing it costs O(instances * lights), so also before every frame. Only the scene prepared
+    /// backdrop count: meshes and silhouettes on the GPU, the images and pipelines of the passes. Call it when a scene
+    /// has other instances, lights, lines, surfaces, shadows or another style, or when the target or the scale changes;
+    /// where nothing is missing it costs O(instances * lights), so also before every frame. Only the scene prepared
     /// last can be recorded: what it does not need is freed when no frame uses it any more.
     ///
     /// Copies of new meshes are submitted to the context's queue for copies, under its lock. They are not

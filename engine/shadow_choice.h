@@ -23,9 +23,9 @@
 // the caster, and may cut the volume, because depth is clamped there.
 //
 // One end. The rays of a point light L from all points go through infinity and meet again in L with its signs turned,
-// -L. So a side is the triangle of its edge and -L, as for directional lights, whose rays meet at infinity; it is half as
-// many triangles, and dark caps are not needed. What lies past infinity has a depth behind everything, to which it is
-// clamped. This needs L behind the camera, so that -L is before it, and a caster that the near plane does not cut,
+// -L. So a side is the triangle of its edge and -L, as for directional lights, whose rays meet at infinity; it is half
+// as many triangles, and dark caps are not needed. What lies past infinity has a depth behind everything, to which it
+// is clamped. This needs L behind the camera, so that -L is before it, and a caster that the near plane does not cut,
 // because nothing is clipped there where depth is clamped. Both methods then count the same triangles.
 //
 // All are decided in the mesh's own coordinates, in double, with a margin for the shaders' rounding. Cost: a

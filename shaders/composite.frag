@@ -2,8 +2,8 @@
 #extension GL_EXT_scalar_block_layout : require
 
 // The final picture: ink over surfaces, with the surfaces' alpha as line coverage; or a layer of premultiplied
-// color, over a background or with its opacity, then premultiplied or straight. Averages k_scale x k_scale samples per pixel in linear light.
-// Then encodes as sRGB if the image format does not.
+// color, over a background or with its opacity, then premultiplied or straight. Averages k_scale x k_scale samples per
+// pixel in linear light. Then encodes as sRGB if the image format does not.
 
 layout(set = 0, binding = 0) uniform sampler2D surfaces;
 

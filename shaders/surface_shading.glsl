@@ -4,8 +4,8 @@
 // Surfaces in one style. Each style is its own pipeline, because a CPU device executes both sides of every
 // dynamic branch. The output is the shaded surface (as in shadow), or the light added where the stencil
 // test passes, or both at once for a single light, with the surface in shadow as a second output where it casts
-// shadows. The sum over all lights is the fully lit surface. For light, draw.choice is 1 where the instance casts a shadow: then the face's bit is also used if
-// the light grazes the face (surface_corner.glsl).
+// shadows. The sum over all lights is the fully lit surface. For light, draw.choice is 1 where the instance casts a
+// shadow: then the face's bit is also used if the light grazes the face (surface_corner.glsl).
 
 #include "draw.glsl"
 #include "hatch.glsl"

@@ -4,8 +4,8 @@
 // on the screen, and half of the rectangle around its box.
 //
 // It lies between two planes along each of 13 lines: the edges of the box, the diagonals of its sides, and its own.
-// Source: Klosowski, Held, Mitchell, Sowizral, Zikan, Efficient Collision Detection Using Bounding Volume Hierarchies of
-// k-DOPs, 1998.
+// Source: Klosowski, Held, Mitchell, Sowizral, Zikan, Efficient Collision Detection Using Bounding Volume Hierarchies
+// of k-DOPs, 1998.
 
 #include <glm/vec3.hpp>
 #include <span>

@@ -34,9 +34,9 @@ struct ScreenBox {
 };
 
 /// The rectangle around points of an instance, in its own coordinates, and all between them, in a picture of
-/// `picture_px`. `eye_from_world` is camera_from_world(). Computed as the GPU does, from a camera of floats in these coordinates, and widened by the roundings
-/// on the way to the screen, without those of rasterizers. Empty if the points lie behind the near plane; std::nullopt
-/// if they lie on both sides of it. O(points).
+/// `picture_px`. `eye_from_world` is camera_from_world(). Computed as the GPU does, from a camera of floats in these
+/// coordinates, and widened by the roundings on the way to the screen, without those of rasterizers. Empty if the
+/// points lie behind the near plane; std::nullopt if they lie on both sides of it. O(points).
 std::optional<ScreenBox> screen_box(const Camera& camera, const glm::dmat3& eye_from_world,
                                     const Projection& projection, const SceneInstance& instance,
                                     std::span<const glm::dvec3> points,

@@ -21,8 +21,8 @@ public:
     /// Not automatic.
     LinePath path() const noexcept { return path_; }
 
-    /// Make the pipelines of lines of meshes, and of lines of a caller, if there are none yet. Needed before a list with
-    /// such lines is recorded.
+    /// Make the pipelines of lines of meshes, and of lines of a caller, if there are none yet. Needed before a list
+    /// with such lines is recorded.
     void prepare_edges(const DeviceContext& context);
     void prepare_segments(const DeviceContext& context);
     bool has_edges() const noexcept { return edges_ != VK_NULL_HANDLE; }

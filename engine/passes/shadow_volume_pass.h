@@ -22,9 +22,9 @@
 // than that lie in front of everything visible: depth fail does not count them, and depth pass is not chosen
 // for such a volume, or it begins with what they count to everywhere (near_count.h). In orthographic views no
 // surface is clipped; volumes end behind the far plane, and depth is clamped. It is clamped in perspective too where
-// the rays of a point light end in one point (shadow_choice.h). Where the light lies in a face's plane, the sides lie on the face too; there the surface pass uses the face bit.
-// Sources: Everitt, Kilgard, Practical and Robust Stenciled Shadow Volumes, 2002; Kim, Kim, Turk,
-// Exact and Robust Shadow Volumes with Signed Multiplicities, 2008; thesis 2.2.2.
+// the rays of a point light end in one point (shadow_choice.h). Where the light lies in a face's plane, the sides lie
+// on the face too; there the surface pass uses the face bit. Sources: Everitt, Kilgard, Practical and Robust Stenciled
+// Shadow Volumes, 2002; Kim, Kim, Turk, Exact and Robust Shadow Volumes with Signed Multiplicities, 2008; thesis 2.2.2.
 
 #include "engine/passes/draw_list.h"
 #include "engine/shadow_choice.h"

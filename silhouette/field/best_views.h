@@ -9,8 +9,8 @@
 // votes that no earlier viewpoint has got, so views differ.
 //
 // Votes ignore occlusion. A caller may weight them by the visible share of a viewpoint's
-// silhouette (4.5.3; ray_ratios.h, engine/measure/visible_ratio.h). The share is at most 1, so candidates are measured in
-// descending order of votes until no other candidate can win (points_of_interest.h).
+// silhouette (4.5.3; ray_ratios.h, engine/measure/visible_ratio.h). The share is at most 1, so candidates are measured
+// in descending order of votes until no other candidate can win (points_of_interest.h).
 
 #include <cstdint>
 #include <functional>
@@ -68,7 +68,8 @@ struct BestViewsOptions {
     /// adds (symmetry_axis()).
     std::optional<int> mirror_axis;
     /// For people who look at them: the first view is steady (steady_point.h), and the others come in the falling order
-    /// of what each would score alone, instead of that in which they were chosen. Their `votes` stay those of the choice.
+    /// of what each would score alone, instead of that in which they were chosen. Their `votes` stay those of the
+    /// choice.
     bool for_people = false;
     bool draws_all = false;  ///< For tests: measures every candidate. The views are the same.
 };

@@ -12,9 +12,9 @@
 
 namespace rimline {
 
-/// The area of the faces that are seen from in front, as a share of the greatest one of a hundred viewpoints all around.
-/// A face does not count in its plane and behind it, and counts whole at a distance of half the mesh's radius, from
-/// where it is seen at 15 to 20 degrees. Both sides count, unless the mesh is closed and consistently oriented. A
+/// The area of the faces that are seen from in front, as a share of the greatest one of a hundred viewpoints all
+/// around. A face does not count in its plane and behind it, and counts whole at a distance of half the mesh's radius,
+/// from where it is seen at 15 to 20 degrees. Both sides count, unless the mesh is closed and consistently oriented. A
 /// tangential distance field weighted by area: smooth, and the same for every triangulation.
 class FrontArea {
 public:

@@ -40,8 +40,8 @@ struct OriginSet {
 };
 
 /// Returns fewer than `count` origins if no plane has votes left. For a box, for example, the center gets
-/// all votes. Returns the center with 0 votes if there is no other origin. Throws Error{too_large} if origins around the
-/// mesh exceed the range of coordinates, and Error{cancelled}.
+/// all votes. Returns the center with 0 votes if there is no other origin. Throws Error{too_large} if origins around
+/// the mesh exceed the range of coordinates, and Error{cancelled}.
 OriginSet find_origins(const Mesh& mesh, std::uint32_t count, const OriginOptions& options = {},
                        const LongCall& call = {});
 

@@ -208,8 +208,8 @@ SunTones measure_tones(std::span<const SeenPlace> places, const glm::dvec3& sun,
     return tones;
 }
 
-// No less than the score with cast shadows, which only take: of lit and bright places and of detail there are at most as
-// many as without. Dark places are then at least, and bright ones at most, what they are without, which limits the
+// No less than the score with cast shadows, which only take: of lit and bright places and of detail there are at most
+// as many as without. Dark places are then at least, and bright ones at most, what they are without, which limits the
 // entropy where that is on the far side of a third.
 double most_score_of(const SunTones& without_shadows, const glm::dvec3& sun,
                      const PictureFrame& frame) {

@@ -84,12 +84,13 @@ public:
     explicit SunSurvey(const Mesh& mesh, float crease_angle_rad = k_shading_crease_rad,
                        const LongCall& call = {});
 
-    /// The places that a grid of at most `rays` rays through the picture of the mesh meets. Where fewer than a hundredth
-    /// meet it, as of two small parts far apart: those that rays through the pictures of its faces meet, without detail.
+    /// The places that a grid of at most `rays` rays through the picture of the mesh meets. Where fewer than a
+    /// hundredth meet it, as of two small parts far apart: those that rays through the pictures of its faces meet,
+    /// without detail.
     std::vector<SeenPlace> places(const PictureFrame& frame, std::uint32_t rays) const;
     SunTones tones(std::span<const SeenPlace> places, const glm::dvec3& sun) const;
-    /// The same, or nothing once is_enough(tones) holds of what lit, bright and detail still can be at most: as if no place
-    /// that is not looked at yet lay in a cast shadow. Of these `spread` is not set.
+    /// The same, or nothing once is_enough(tones) holds of what lit, bright and detail still can be at most: as if no
+    /// place that is not looked at yet lay in a cast shadow. Of these `spread` is not set.
     std::optional<SunTones> tones(std::span<const SeenPlace> places, const glm::dvec3& sun,
                                   const std::function<bool(const SunTones&)>& is_enough) const;
 

@@ -50,7 +50,8 @@ struct LeafPlanes {
 class PlaneClusters {
 public:
     /// `weights` has one nonnegative weight per plane. O(planes log planes) on all threads, with 48 bytes
-    /// a plane meanwhile. The result does not depend on the number of threads. Throws Error{cancelled} if `stop` is requested.
+    /// a plane meanwhile. The result does not depend on the number of threads. Throws Error{cancelled} if `stop` is
+    /// requested.
     PlaneClusters(const UnitPlanes& planes, std::span<const double> weights,
                   const std::stop_token& stop = {});
 

@@ -28,7 +28,8 @@
 //
 //   Mirror. On a symmetric mesh a point and its mirror image are chosen for the same sight. With `mirror_axis`, planes
 //   have no votes left for the mirror images of chosen points either. Of a steady first point and its mirror image,
-//   the one that comes first among ties is chosen unless it has less than 0.93 of the other: halves seldom are the same.
+//   the one that comes first among ties is chosen unless it has less than 0.93 of the other: halves seldom are the
+//   same.
 //
 //   End. A chosen point has no votes left, so no point is chosen twice. The search ends if no candidate
 //   has more votes than the field's error bound and 2^-20 of its maximum value.
@@ -61,8 +62,8 @@ struct PointOfInterest {
     double score() const noexcept { return votes * weight; }
 };
 
-/// Returns the weights of points, or bounds of them, each in [0, 1], in their order, for a choice after `chosen` others.
-/// Receives many points at once, so that they can be rendered together.
+/// Returns the weights of points, or bounds of them, each in [0, 1], in their order, for a choice after `chosen`
+/// others. Receives many points at once, so that they can be rendered together.
 using Weigh =
     std::function<std::vector<double>(std::span<const glm::dvec3> points, std::size_t chosen)>;
 

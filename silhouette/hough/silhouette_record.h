@@ -37,8 +37,8 @@ public:
     /// Flips the first `count` faces of the space.
     void flip_faces(std::size_t count) noexcept;
     /// Where the edges are to be written of which one face flipped and the other did not, regular and
-    /// inconsistent ones, each once, with k_joins (face_links.h) where the edge is on the silhouette now. The space is for
-    /// one more than there are edges. The record finds non-manifold edges from the flipped faces.
+    /// inconsistent ones, each once, with k_joins (face_links.h) where the edge is on the silhouette now. The space is
+    /// for one more than there are edges. The record finds non-manifold edges from the flipped faces.
     std::uint32_t* toggle_space() noexcept { return toggled_.data(); }
     /// Toggles the first `count` edges of the space.
     void toggle_edges(std::size_t count) noexcept;

@@ -33,8 +33,8 @@ bool may_coincide(const FlatLine& a, const FlatLine& b, double tolerance) noexce
     const double turn = cross_of(u, v), uu = glm::dot(u, u), vv = glm::dot(v, v);
     constexpr double k_max_sine = 2.0 / k_min_stretch;
     if (turn * turn > k_max_sine * k_max_sine * uu * vv) return false;
-    // Lines of a chain follow each other. cover() wants an overlap of two tolerances along one of the two, of which there
-    // is more than one along the other: they turn from each other by a sine of 0.02 at most.
+    // Lines of a chain follow each other. cover() wants an overlap of two tolerances along one of the two, of which
+    // there is more than one along the other: they turn from each other by a sine of 0.02 at most.
     const double first = glm::dot(u, b.ends[0] - a.ends[0]),
                  last = glm::dot(u, b.ends[1] - a.ends[0]);
     const double overlap =

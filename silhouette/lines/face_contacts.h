@@ -55,7 +55,8 @@ struct FaceContacts {
     std::span<const Touch> touches_of(std::uint32_t vertex) const noexcept;
 };
 
-/// For each face, whether its three corners lie on one line, exactly. O(n) on all threads of oneTBB. Throws Error{cancelled}.
+/// For each face, whether its three corners lie on one line, exactly. O(n) on all threads of oneTBB. Throws
+/// Error{cancelled}.
 std::vector<std::uint8_t> find_flat_faces(const Mesh& mesh, const std::stop_token& stop = {});
 
 /// O(n log n + pairs of faces whose boxes overlap) on all threads of oneTBB. The result does not depend on

@@ -2,8 +2,8 @@
 
 // Makes chains and runs of the lines of a view.
 //
-// A chain follows lines from link to link (line_links.h), and its runs end where visibility changes. Hidden runs between
-// visible ones that are too short to see are then visible, and visible ones between hidden ones hidden.
+// A chain follows lines from link to link (line_links.h), and its runs end where visibility changes. Hidden runs
+// between visible ones that are too short to see are then visible, and visible ones between hidden ones hidden.
 
 #include <array>
 #include <cstdint>

@@ -8,9 +8,10 @@
 //           of the outline, which has nothing behind it on one side: an outline has no gaps.
 //   double  A stroke that is not much longer, all of it beside longer ones, so near that it would only thicken them. Of
 //           strokes at the outline and beside it, that at the outline stays, also where it is shorter.
-//   tail    The end of a stroke, up to where a longer stroke passes along it, and on as long as it does: where a contour
-//           goes to and fro between faces, pieces of it stick out of it. What is short before the longer stroke, and
-//           no part of the outline. The stroke is cut there. Sharp edges and borders have no tails: they meet in corners.
+//   tail    The end of a stroke, up to where a longer stroke passes along it, and on as long as it does: where a
+//           contour goes to and fro between faces, pieces of it stick out of it. What is short before the longer
+//           stroke, and no part of the outline. The stroke is cut there. Sharp edges and borders have no tails: they
+//           meet in corners.
 
 #include <cstdint>
 #include <glm/vec2.hpp>

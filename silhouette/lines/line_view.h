@@ -25,9 +25,9 @@ public:
     static constexpr double k_shift = 0x1p-20;
 
     /// A perspective camera. `up` may have any length; where it is parallel to the view or zero, another axis takes
-    /// its place. `eye` and `target` must differ, and be valid points (HomogeneousPoint::is_valid()). The shift is a share
-    /// of `distance`, about that from the eye to what is drawn (drawn_distance()), not zero; without it, of that to the
-    /// target.
+    /// its place. `eye` and `target` must differ, and be valid points (HomogeneousPoint::is_valid()). The shift is a
+    /// share of `distance`, about that from the eye to what is drawn (drawn_distance()), not zero; without it, of that
+    /// to the target.
     static LineView perspective(const glm::dvec3& eye, const glm::dvec3& target,
                                 const glm::dvec3& up, std::optional<double> distance = {});
     /// An orthographic camera that looks from `eye` to `target`. The distance does not matter.

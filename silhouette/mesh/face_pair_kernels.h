@@ -36,10 +36,10 @@ static_assert(sizeof(FaceBlock) == 64 * FaceBlock::k_faces);
 /// For each face of a block, a bit for each face of the other.
 using NearFaces = FaceBlock::Lanes<std::uint16_t>;
 
-/// Finds the pairs of one of the first `count_a` faces of `a` and one of the first `count_b` of `b` that may meet outside
-/// of shared corners: whose boxes meet, and where neither has all its corners but the shared ones on one side of the
-/// other's plane, certainly. Where `is_same`, each pair is found once. Returns the number of pairs whose boxes meet.
-/// Sets the first `count_a` of `near`.
+/// Finds the pairs of one of the first `count_a` faces of `a` and one of the first `count_b` of `b` that may meet
+/// outside of shared corners: whose boxes meet, and where neither has all its corners but the shared ones on one side
+/// of the other's plane, certainly. Where `is_same`, each pair is found once. Returns the number of pairs whose boxes
+/// meet. Sets the first `count_a` of `near`.
 std::uint32_t find_near_faces(const FaceBlock& a, std::uint32_t count_a, const FaceBlock& b,
                               std::uint32_t count_b, bool is_same, NearFaces& near);
 

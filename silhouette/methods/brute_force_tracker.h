@@ -4,10 +4,10 @@
 //
 //     every face's bit     old bits XOR new bits     the faces that flipped     their edges
 //
-// The bits cost O(faces) for every move (windowed_brute_force.h; faces are stored in its order). The rest of the work is that of the tracker with an index
-// (silhouette_tracker.h), by the same rules: an edge of a flipped face changes when its other face did not
-// flip; where examining those edges costs more than a pass over all edges, the silhouette is extracted
-// afresh and compared. Both trackers write the same change set (silhouette_record.h).
+// The bits cost O(faces) for every move (windowed_brute_force.h; faces are stored in its order). The rest of the work
+// is that of the tracker with an index (silhouette_tracker.h), by the same rules: an edge of a flipped face changes
+// when its other face did not flip; where examining those edges costs more than a pass over all edges, the silhouette
+// is extracted afresh and compared. Both trackers write the same change set (silhouette_record.h).
 
 #include <array>
 #include <cstdint>

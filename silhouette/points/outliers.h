@@ -25,9 +25,9 @@
 
 namespace rimline {
 
-/// One byte for each point, 1 for outliers. None where they would be more than a tenth of all points: then the points are
-/// too few for their surface. `points` and `neighbors` in the order of OrderedPoints. O(n log n) on all threads. Throws
-/// Error{cancelled}.
+/// One byte for each point, 1 for outliers. None where they would be more than a tenth of all points: then the points
+/// are too few for their surface. `points` and `neighbors` in the order of OrderedPoints. O(n log n) on all threads.
+/// Throws Error{cancelled}.
 std::vector<std::uint8_t> find_outliers(std::span<const glm::dvec3> points,
                                         const NeighborLists& neighbors,
                                         const UmbrellaSet& umbrellas, const LongCall& call);

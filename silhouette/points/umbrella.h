@@ -56,9 +56,9 @@ struct PointSurfaceOptions {
     /// (Stars::excess in star_choice.h). Robust only.
     double gap_ratio = 2.75;
 
-    /// Finds the umbrellas again without the points that lie on no surface (outliers.h): these are undecided. For scans;
-    /// takes twice the time where there are any. A mesh's vertices have none, and in coarse meshes some are taken for
-    /// such.
+    /// Finds the umbrellas again without the points that lie on no surface (outliers.h): these are undecided. For
+    /// scans; takes twice the time where there are any. A mesh's vertices have none, and in coarse meshes some are
+    /// taken for such.
     bool drops_outliers = false;
 
     // Thesis only, angles in radians.

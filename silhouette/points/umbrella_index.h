@@ -67,8 +67,8 @@ public:
     }
     /// A length in the index divided by the same length in positions; a power of two.
     double scale() const noexcept { return scale_; }
-    /// The distance of neighboring floats at the border of the index, in positions: what is as small as some of these has
-    /// no shape left, and its silhouette is that of roundings.
+    /// The distance of neighboring floats at the border of the index, in positions: what is as small as some of these
+    /// has no shape left, and its silhouette is that of roundings.
     double resolution() const noexcept { return 0x1p-24 / scale_; }
 
     /// The positions of the points that have umbrellas, by patch; the center of their bounding box; and the

@@ -1,5 +1,6 @@
 // Doubles that become floats are rounded, also where they become doubles again at once: for points that are tested as
-// floats and computed with as doubles. gcc 12 leaves it out for two doubles beside each other (silhouette/CMakeLists.txt).
+// floats and computed with as doubles. gcc 12 leaves it out for two doubles beside each other
+// (silhouette/CMakeLists.txt).
 
 #include <doctest/doctest.h>
 

@@ -14,7 +14,8 @@ struct BatchPageItem {
     std::string error;  ///< Empty if the model is done.
 };
 
-/// An HTML page that lies in `folder`, from where it names outputs. Of a contact sheet and its views it shows the sheet.
+/// An HTML page that lies in `folder`, from where it names outputs. Of a contact sheet and its views it shows the
+/// sheet.
 std::string batch_page(const std::vector<BatchPageItem>& items,
                        const std::filesystem::path& folder);
 

@@ -83,7 +83,8 @@ struct FrameWay {
     bool draws_the_same = true;            // Whether its picture equals that of the first way.
 };
 
-// Draws frames in all ways in turn. Adds to `passes`, unless null, those of all ways. Fills `times`, or returns the first difference from the first way.
+// Draws frames in all ways in turn. Adds to `passes`, unless null, those of all ways. Fills `times`, or returns the
+// first difference from the first way.
 std::string time_frames(const std::vector<FrameWay>& ways, const HoughOctree& octree,
                         const Device& device, std::uint32_t frames,
                         const std::function<void(Scene&)>& change, std::vector<EngineTime>& times,

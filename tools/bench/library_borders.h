@@ -18,8 +18,8 @@ struct LibraryBorders {
     std::vector<std::uint8_t> is_border;
 };
 
-/// Several settings of each library, or 16 neighbors at 120 degrees alone; none where neither is installed. Open3D's search
-/// radius is at most ten times what contains the neighbors of most points. `positions` are rounded to floats and
+/// Several settings of each library, or 16 neighbors at 120 degrees alone; none where neither is installed. Open3D's
+/// search radius is at most ten times what contains the neighbors of most points. `positions` are rounded to floats and
 /// passed to another program. Throws Error{cancelled}.
 std::vector<LibraryBorders> library_borders(std::span<const glm::dvec3> positions,
                                             bool has_all_settings, const Context& context);

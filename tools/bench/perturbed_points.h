@@ -1,7 +1,7 @@
 #pragma once
 
-// The vertices of a mesh as a scanner would give them: with noise, with points that lie on no surface, and more sparsely
-// on one side than on the other. The same for the same mesh and amounts.
+// The vertices of a mesh as a scanner would give them: with noise, with points that lie on no surface, and more
+// sparsely on one side than on the other. The same for the same mesh and amounts.
 
 #include <cstdint>
 #include <glm/vec3.hpp>

@@ -36,8 +36,8 @@ struct CreaseCount {
     std::uint32_t extra = 0;  ///< Labeled as features where no edge turns by 25 degrees.
 };
 
-/// The angle of a point's normal to the mean of the faces there. Of a point with several normals the greatest angle from
-/// one of the faces to the nearest of them.
+/// The angle of a point's normal to the mean of the faces there. Of a point with several normals the greatest angle
+/// from one of the faces to the nearest of them.
 struct NormalErrors {
     double median_deg = 0.0, high_deg = 0.0;  ///< High: the 99th percentile.
     std::uint32_t wrong = 0;                  ///< Above 60 degrees from every face at the point.

@@ -44,8 +44,8 @@ public:
     /// Throws UsageError for a mesh that is not welded, Error{bad_input} for one without extent, Error{cancelled}.
     BoundDrawer(SharedMesh mesh, const LongCall& call);
 
-    /// `follows`: chains keep their ids from the last drawing on (LineDrawer::draw_next()). Throws UsageError for options
-    /// that do not go together, and as LineDrawer.
+    /// `follows`: chains keep their ids from the last drawing on (LineDrawer::draw_next()). Throws UsageError for
+    /// options that do not go together, and as LineDrawer.
     std::unique_ptr<BoundDrawing> draw(const DrawOptions& options, bool follows,
                                        const LongCall& call);
 

@@ -1,6 +1,7 @@
 #pragma once
 
-// A mesh as other languages hold it (tools/python, tools/c), with what is found for it once and shared by all that use it.
+// A mesh as other languages hold it (tools/python, tools/c), with what is found for it once and shared by all that use
+// it.
 
 #include <memory>
 #include <mutex>

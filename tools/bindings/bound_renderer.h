@@ -49,8 +49,8 @@ public:
 private:
     DrawingDevice device_;
     Turns turns_;
-    // The renderer knows octrees by their addresses: those of the last picture, and of pictures that failed after it. So
-    // these meshes live until another picture has been drawn.
+    // The renderer knows octrees by their addresses: those of the last picture, and of pictures that failed after it.
+    // So these meshes live until another picture has been drawn.
     std::vector<SharedMesh> meshes_;
     std::optional<ShownLines> lines_;  // Of one of these.
     std::optional<Renderer> renderer_;

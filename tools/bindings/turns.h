@@ -1,7 +1,7 @@
 #pragma once
 
-// Long calls that take turns on one object. Those that wait are told to stop like those that work. A call that a progress
-// function makes on the object whose call it hears of would wait for itself: it is refused.
+// Long calls that take turns on one object. Those that wait are told to stop like those that work. A call that a
+// progress function makes on the object whose call it hears of would wait for itself: it is refused.
 
 #include <chrono>
 #include <condition_variable>

@@ -74,8 +74,8 @@ void check_has_extent(const std::string& model, const Mesh& mesh);
 /// Throws Error{bad_input} for a mesh whose faces are all degenerate.
 void check_has_planes(const std::string& model, const Mesh& mesh);
 
-/// To be called in a catch block: rethrows the exception, or if the file is a scene file (scene_mark.h) an Error{bad_input}
-/// that says so.
+/// To be called in a catch block: rethrows the exception, or if the file is a scene file (scene_mark.h) an
+/// Error{bad_input} that says so.
 [[noreturn]] void throw_about_scene_file(const std::string& path);
 
 /// Returns read(), which reads the file.

@@ -55,8 +55,8 @@ struct SceneOptions {
     /// Throws UsageError for a palette that the style does not have, for colors in the style mask, which is black
     /// and white, and for options without an effect.
     void check_usage(const PictureOptions& picture) const;
-    /// Throws UsageError for options of lines but their color where none are drawn. Not for the window, where they can be
-    /// drawn later.
+    /// Throws UsageError for options of lines but their color where none are drawn. Not for the window, where they can
+    /// be drawn later.
     void check_lines() const;
     /// Whether surfaces have the colors of the model's file, if it has some.
     bool shows_file_colors() const { return materials == "on" && !color; }

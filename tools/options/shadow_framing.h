@@ -37,8 +37,8 @@ Camera frame_with_shadows(const Camera& camera, const Mesh& mesh, std::span<cons
 void frame_ground(Scene& scene, const Mesh& mesh, const PictureOptions& options);
 
 /// The perspective camera, at its place, turned and with a lens such that the picture holds the mesh and its
-/// shadow_places(), but for those that it sees at more than 60 degrees. Unchanged below the ground, and if the mesh itself
-/// reaches beside or behind the eye. Rounded to float. O(vertices) for each sun.
+/// shadow_places(), but for those that it sees at more than 60 degrees. Unchanged below the ground, and if the mesh
+/// itself reaches beside or behind the eye. Rounded to float. O(vertices) for each sun.
 Camera zoom_with_shadows(const Camera& camera, const Mesh& mesh, std::span<const Light> lights,
                          const glm::dvec3& ground_up, double aspect);
 

@@ -19,8 +19,8 @@ public:
     const std::filesystem::path& path() const noexcept { return path_; }
 
     /// Removes the files PREFIX, at least so many digits, .png: pictures of an older run, which must not be taken for
-    /// ones of this run. Throws Error{io} naming a file that cannot be removed, and UsageError if one is a declared input
-    /// (input_files.h).
+    /// ones of this run. Throws Error{io} naming a file that cannot be removed, and UsageError if one is a declared
+    /// input (input_files.h).
     void remove_numbered(const std::string& prefix, std::size_t min_digits) const;
 
 private:

@@ -16,8 +16,9 @@ namespace rimline::tools {
 
 /// Takes out of the hidden ones of lines[first], lines[first + 1], ... what runs beside a visible line, or beside what
 /// stays of a longer hidden one, within `reach_mm` > 0 and in about its direction; and where a hidden one turns back on
-/// itself, what runs beside an earlier part of it. Lines that only cross or meet others stay whole. What is left of a line is one line or several, in its place, without those shorter than `min_length_mm`.
-/// No line has curves. O(length / reach_mm), times the lines near to a place.
+/// itself, what runs beside an earlier part of it. Lines that only cross or meet others stay whole. What is left of a
+/// line is one line or several, in its place, without those shorter than `min_length_mm`. No line has curves.
+/// O(length / reach_mm), times the lines near to a place.
 void leave_out_hidden_doubles(std::vector<PageLine>& lines, std::size_t first, double reach_mm,
                               double min_length_mm);
 

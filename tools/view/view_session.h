@@ -146,8 +146,8 @@ public:
     /// Turns the camera about the document's center so that it looks from this direction (towards the viewer,
     /// not zero), at most k_max_elevation_deg above or below the horizon.
     void look_from(const glm::dvec3& towards_viewer);
-    /// The same for a camera that moves: the document keeps its place in the picture, and a sun that was chosen turns with
-    /// the camera.
+    /// The same for a camera that moves: the document keeps its place in the picture, and a sun that was chosen turns
+    /// with the camera.
     void move_to(const glm::dvec3& towards_viewer);
     /// Whether all of the document is within the area. O(positions).
     bool is_whole(const FreeArea& area) const;

@@ -8,8 +8,9 @@
 //             a coarse one is smaller than the window
 //         --> copy it into the window, enlarged --> record the panel over it --> submit --> present
 //
-// While only the panel changes, frames show the kept picture. A fine picture of a view at rest is drawn beside it, without
-// an image of the window, and takes its place when it is done; drawing it is given up as soon as something moves.
+// While only the panel changes, frames show the kept picture. A fine picture of a view at rest is drawn beside it,
+// without an image of the window, and takes its place when it is done; drawing it is given up as soon as something
+// moves.
 //
 // After a loss all these objects are created again and the frame is drawn once more
 // (engine/vulkan/device_loss.h). Mesh, octree and scene are not affected.

@@ -1,5 +1,5 @@
-// What must not change silhouettes: places, sizes and turns of mesh and point together, orders, splits of faces in their
-// planes, and faces far away. Where a bit changes all the same, the point lies within rounding of the plane.
+// What must not change silhouettes: places, sizes and turns of mesh and point together, orders, splits of faces in
+// their planes, and faces far away. Where a bit changes all the same, the point lies within rounding of the plane.
 
 #include <doctest/doctest.h>
 

@@ -369,8 +369,8 @@ TEST_CASE("a stroke stays where others lie before and behind a part of it, not b
     CHECK(!between(0.52, 0.52).is_first_kept);
 }
 
-// The side of the square at x = 10 is its outline. It has three pieces, and the one in the middle is a double of a longer
-// stroke inside.
+// The side of the square at x = 10 is its outline. It has three pieces, and the one in the middle is a double of a
+// longer stroke inside.
 TEST_CASE("of an outline and a stroke beside it the outline stays") {
     const StrokesBeforeSquare strokes;
     const auto keep_at = [&](double x) {

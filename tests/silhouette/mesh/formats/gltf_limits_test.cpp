@@ -81,7 +81,8 @@ double longest_stop_s(const std::string& name, const std::string& bytes) {
         read_mesh_file(path, FaceRequirement::faces_or_points);
         whole_s = std::min(whole_s, cpu_s(reader) - begin_s);
     }
-    // Nothing where reading was over before. Others that run beside it can double the time: a moment may be tried again.
+    // Nothing where reading was over before. Others that run beside it can double the time: a moment may be tried
+    // again.
     const auto stop_s = [&](double share) -> std::optional<double> {
         std::stop_source stop;
         std::atomic<double> requested_s{0.0};
