@@ -30,6 +30,7 @@ DrawData::DrawData(const DeviceContext& context, std::uint32_t frames_in_flight)
       sets_(context, "draw data", k_bindings, frames_in_flight),
       buffers_(frames_in_flight),
       segments_(frames_in_flight),
+      corners_(frames_in_flight),
       parts_(frames_in_flight) {}
 
 std::uint32_t DrawData::padded(std::size_t size_bytes) const noexcept {
@@ -78,6 +79,15 @@ VkDeviceAddress DrawData::put_segments(std::span<const gpu::LineSegment> segment
         buffer = Buffer(context_, segments.size_bytes(), BufferPlace::upload, "lines");
     std::memcpy(buffer.mapped(), segments.data(), segments.size_bytes());
     return buffer.address();
+}
+
+VkBuffer DrawData::put_corners(std::span<const std::uint32_t> corners) {
+    if (corners.empty()) return VK_NULL_HANDLE;
+    Buffer& buffer = corners_[slot_];
+    if (buffer.size() < corners.size_bytes())
+        buffer = Buffer(context_, corners.size_bytes(), BufferPlace::upload, "corners of fronts");
+    std::memcpy(buffer.mapped(), corners.data(), corners.size_bytes());
+    return buffer.handle();
 }
 
 DrawData::PartLists DrawData::make_part_lists(std::size_t sides, std::size_t faces) {

@@ -36,6 +36,9 @@ public:
     /// Copies the segments of all lines of the frame and returns the address of the first; 0 if there are none.
     /// At most one call for each begin_frame(). Throws as begin_frame().
     VkDeviceAddress put_segments(std::span<const gpu::LineSegment> segments);
+    /// Copies the corners of all instances (DrawList::corners). At most one call for each begin_frame(). Throws as
+    /// begin_frame().
+    VkBuffer put_corners(std::span<const std::uint32_t> corners);
 
     /// Memory for the lists of all parts of shadow volumes of the frame.
     struct PartLists {
@@ -61,7 +64,7 @@ private:
     DescriptorSets sets_;
     std::vector<Buffer> buffers_;
     // Of each frame in flight; empty where a frame never had any.
-    std::vector<Buffer> segments_, parts_;
+    std::vector<Buffer> segments_, corners_, parts_;
     std::uint32_t slot_ = 0;
     std::uint32_t end_ = 0;  // Bytes used in the slot's buffer.
 };

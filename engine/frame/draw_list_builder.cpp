@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/frame/front_corners.h"
 #include "engine/frame/line_segments.h"
 #include "engine/frame/near_count.h"
 #include "engine/frame/scene_data.h"
@@ -26,6 +27,9 @@ std::size_t ink_index(std::vector<glm::vec3>& inks, const glm::vec3& color) {
 
 // Of the light's distance from the mesh, in radii of it, for rounding (shadow_choice.cpp).
 constexpr double k_winding_margin = 0x1p-15;
+
+// DrawList::corners takes at most 64 MiB, in scenes of many instances too: those beyond it draw all faces.
+constexpr std::size_t k_max_corners = std::size_t{1} << 24;
 
 // The bytes of all face bits of a mesh.
 std::uint64_t face_bits_bytes(std::uint32_t face_count) { return 4 * face_word_count(face_count); }
@@ -56,6 +60,7 @@ public:
         if (scene_.shadows && parts_.limits_shadows)
             shadow_bounds_.emplace(view_, parts_.target.backdrop.has_value());
         for (std::size_t i = 0; i < scene_.instances.size(); ++i) add_instance(i);
+        list_.corners = parts_.draw_data.put_corners(corners_);
         if (list_.inks.empty()) list_.inks.push_back(scene_.palette.ink);
         list_.shadow_batches.resize(light_count);
         for (std::size_t l = 0; l < light_count; ++l) plan_shadows(l);
@@ -131,6 +136,13 @@ private:
         drawn.shows_backs =
             !drawn.surface.fades && (!instance.is_solid || state.deforming ||
                                      !is_outside(caster.view, caster.box.low, caster.box.high));
+        if (parts_.lists_fronts && instance.is_solid && !drawn.shows_backs &&
+            drawn.surface.colors != SurfaceColors::textures &&
+            corners_.size() + 3 * std::size_t{drawn.face_count} <= k_max_corners) {
+            drawn.first_corner = static_cast<std::uint32_t>(corners_.size());
+            append_front_corners(*state.source, view_.instances[i].camera, corners_);
+            drawn.corner_count = static_cast<std::uint32_t>(corners_.size()) - drawn.first_corner;
+        }
         for (std::size_t l = 0; l < scene_.lights.size(); ++l)
             drawn.lights.push_back(add_light(i, l, caster, drawn));
         list_.instances.push_back(std::move(drawn));
@@ -458,6 +470,7 @@ private:
     FrameSurfaces surfaces_;
     std::optional<ShadowBounds> shadow_bounds_;  // Empty: shadows are not limited.
     std::vector<Segments> segments_;             // Of each instance.
+    std::vector<std::uint32_t> corners_;         // DrawList::corners.
     std::vector<gpu::LightData> lights_;         // Of each instance, and of each of its lights.
     DrawList list_;
 };

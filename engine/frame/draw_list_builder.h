@@ -28,6 +28,7 @@ struct DrawListParts {
     OutlineMethod outline;
     const RenderTargets& targets;
     bool limits_shadows;  ///< As RendererOptions::limits_shadows.
+    bool lists_fronts;    ///< The fronts of solids are drawn by their corners (front_corners.h).
 };
 
 /// Builds the draw list of the frame in `ring_slot`, whose draw data begins with `frame_data`. Adds to

@@ -47,6 +47,7 @@ FramesInFlight::FramesInFlight(const DeviceContext& context, const RendererOptio
       marks_(context, options.frames_in_flight),
       clock_(context, options.frames_in_flight, options.pass_times),
       limits_shadows_(options.limits_shadows),
+      lists_fronts_(context.type == VK_PHYSICAL_DEVICE_TYPE_CPU),
       checks_silhouettes_(options.check_silhouettes),
       check_(context, options.frames_in_flight),
       instances_(context, options.service ? *options.service : *own_service_,
@@ -155,7 +156,7 @@ FrameReport FramesInFlight::record_frame(Commands commands, Commands picture, co
         const DrawList list =
             build_draw_list(view, frame_data(view, *passes_.targets()), slot,
                             {instances_, draw_data_, shadow_batches_, target, passes_.line_path(),
-                             passes_.outline(), *passes_.targets(), limits_shadows_},
+                             passes_.outline(), *passes_.targets(), limits_shadows_, lists_fronts_},
                             recorded);
         clock_.start(commands, slot, FramePasses::max_passes(scene) + 1);
         record_silhouettes(commands, recorded);

@@ -98,6 +98,7 @@ private:
     FrameMarks marks_;
     PassClock clock_;
     bool limits_shadows_;
+    bool lists_fronts_;
     bool checks_silhouettes_;
     ConsistencyCheck check_;
     std::uint64_t recorded_ = 0;         // Frames so far.

@@ -100,7 +100,9 @@ struct DrawnInstance {
     SurfaceKind surface;
     /// Of SurfaceColors::textures: ranges that hold all faces.
     std::span<const TexturedFaces> textured_faces;
-    bool shows_backs = true;     ///< False: back faces are hidden behind front faces.
+    bool shows_backs = true;  ///< False: back faces are hidden behind front faces.
+    /// Where backs are not shown: the faces to draw, as a range of DrawList::corners. None: all faces, by number.
+    std::uint32_t first_corner = 0, corner_count = 0;
     std::vector<DrawnInk> inks;  ///< Only if has_lines.
     IndirectDraw silhouette;     ///< Draws its slots; only if has_lines and the path draws slots.
     EveryEdgeDraw every_edge;    ///< Only if has_lines and the path draws no slots.
@@ -132,6 +134,7 @@ struct DrawList {
     bool shadows = false;
     SurfaceLights surface_lights = SurfaceLights::apart;
     std::vector<DrawnInstance> instances;
+    VkBuffer corners = VK_NULL_HANDLE;  ///< Numbers of corners, 32 bits each.
     /// The colors of lines, each once, in linear light. Lines of a later color lie over those of earlier
     /// ones.
     std::vector<glm::vec3> inks;

@@ -85,8 +85,14 @@ void SurfacePass::prepare(const DeviceContext& context, const SurfaceKind& kind)
     pipelines_.emplace(kind, std::move(pipelines));
 }
 
-// Of all faces, with their corners one by one.
-void SurfacePass::draw_corners(Commands commands, const DrawnInstance& instance) const {
+// Of all faces that can be seen, with their corners one by one.
+void SurfacePass::draw_corners(Commands commands, const DrawList& list,
+                               const DrawnInstance& instance) const {
+    if (instance.corner_count > 0) {
+        commands->CmdBindIndexBuffer(commands, list.corners, 0, VK_INDEX_TYPE_UINT32);
+        commands->CmdDrawIndexed(commands, instance.corner_count, 1, instance.first_corner, 0, 0);
+        return;
+    }
     if (instance.surface.colors != SurfaceColors::textures) {
         commands->CmdDraw(commands, 3 * instance.face_count, 1, 0, 0);
         return;
@@ -104,7 +110,7 @@ void SurfacePass::record(Commands commands, const DrawList& list,
         bind(commands, pipelines_.at(instance.surface).*pipeline, instance);
         const DrawnLight& drawn = instance.lights[light];
         set_draw(commands, layout_, list, instance, &drawn, drawn.casts_shadow ? 1 : 0);
-        draw_corners(commands, instance);
+        draw_corners(commands, list, instance);
     }
 }
 
@@ -116,7 +122,7 @@ void SurfacePass::record_unlit(Commands commands, const DrawList& list) const {
             commands->CmdBindIndexBuffer(commands, instance.indices, 0, VK_INDEX_TYPE_UINT32);
             commands->CmdDrawIndexed(commands, 3 * instance.face_count, 1, 0, 0, 0);
         } else {
-            draw_corners(commands, instance);
+            draw_corners(commands, list, instance);
         }
     }
 }

@@ -45,7 +45,7 @@ private:
 
     void record(Commands commands, const DrawList& list, OwnedPipeline Pipelines::*pipeline,
                 std::size_t light) const;
-    void draw_corners(Commands commands, const DrawnInstance& instance) const;
+    void draw_corners(Commands commands, const DrawList& list, const DrawnInstance& instance) const;
 
     AttachmentFormats formats_;
     OwnedDescriptorSetLayout texture_;

@@ -1,0 +1,19 @@
+#pragma once
+
+// The corners of the faces whose front a camera may see, for CPU devices: there the vertices of faces take most of a
+// frame's time, and backs are culled only after theirs were computed. A GPU computes them beside other work.
+
+#include <cstdint>
+#include <vector>
+
+#include "silhouette/mesh/homogeneous_point.h"
+#include "silhouette/mesh/mesh.h"
+
+namespace rimline {
+
+/// Appends the numbers of the corners (three a face) of all faces in front of whose plane the camera is, or so near to
+/// it that rounding may decide. `camera` in the mesh's coordinates. O(faces): about 1 ns a face.
+void append_front_corners(const Mesh& mesh, const HomogeneousPoint& camera,
+                          std::vector<std::uint32_t>& corners);
+
+}  // namespace rimline
