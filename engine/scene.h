@@ -72,8 +72,10 @@ struct SceneInstance {
     const PictureLines* picture_lines = nullptr;
     bool casts_shadows = true;
     /// The result of is_solid(mesh()), which takes 0.2 microseconds a face and is worth it for more than a few frames.
-    /// If true, back faces are not drawn while the camera is outside the bounds: half of the surfaces. On a CPU device
-    /// their vertices are not computed either, of 5.6 million faces in all instances together. The picture differs only in single pixels of silhouettes that showed a back by rounding. Ignored for a mesh that deforms.
+    /// If true, back faces are not drawn while the camera is outside the bounds: half of the surfaces. The picture
+    /// differs only in single pixels of silhouettes that showed a back by rounding. On a CPU device the vertices of
+    /// these faces are not computed either, of 5.6 million faces in all instances together. Ignored for a mesh that
+    /// deforms.
     bool is_solid = false;
     /// Greater than 0: fades into the background towards this distance from fade_center (world), like a ground
     /// without an end. Back faces are not drawn, so a viewer below the ground sees through it. It is as light
