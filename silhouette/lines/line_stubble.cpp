@@ -387,8 +387,13 @@ void LineStubble::cut_tails(const LineFrame& frame, const LineOptions& options,
                 is_there_[s] = 0;
                 continue;
             }
-            if (begin > 0.0 || end < length)
+            if (begin > 0.0 || end < length) {
                 cut(s, begin, end, frame.view->is_orthographic(), drawing);
+                if (drawing.strokes[s].length < options.min_length) {
+                    is_there_[s] = 0;
+                    continue;
+                }
+            }
         }
         stays_[s] = 1;
     }

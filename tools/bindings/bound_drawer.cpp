@@ -79,6 +79,7 @@ std::unique_ptr<BoundDrawing> BoundDrawer::draw(const DrawOptions& options, bool
         .min_length_mm = lines.min_length_mm.value_or(DrawnLines::k_min_hidden_mm),
         .double_mm = lines.double_mm(),
         .visible_double_mm = lines.visible_double_mm(),
+        .min_visible_mm = lines.min_length_mm.value_or(0.0),
         .curve_mm = lines.curve_mm,
         .frame = {}};
     if (lines.hidden_by > 0) page_options.hidden_by = lines.hidden_by;

@@ -310,7 +310,10 @@ private:
                 .min_length_mm = lines_.min_length_mm.value_or(DrawnLines::k_min_hidden_mm),
                 .simplify_mm = has_edges || materials ? lines_.simplify_mm : 0.0,
                 .double_mm = lines_.double_mm(),
-                .visible_double_mm = lines_.visible_double_mm(),
+                // A JSON file has the strokes of the drawing, which are counted.
+                .visible_double_mm =
+                    format == DrawingFormat::json ? 0.0 : lines_.visible_double_mm(),
+                .min_visible_mm = lines_.min_length_mm.value_or(0.0),
                 .curve_mm = has_curves(format) ? lines_.curve_mm : 0.0,
                 .frame = {},
                 .mesh = has_edges ? &mesh : nullptr,

@@ -268,8 +268,9 @@ void leave_out_hidden_doubles(std::vector<PageLine>& lines, std::size_t first, d
     leave_out(lines, first, true, reach_mm, min_length_mm);
 }
 
-void leave_out_visible_doubles(std::vector<PageLine>& lines, std::size_t first, double reach_mm) {
-    leave_out(lines, first, false, reach_mm, k_min_double * reach_mm);
+void leave_out_visible_doubles(std::vector<PageLine>& lines, std::size_t first, double reach_mm,
+                               double min_length_mm) {
+    leave_out(lines, first, false, reach_mm, std::max(min_length_mm, k_min_double * reach_mm));
 }
 
 }  // namespace rimline::tools

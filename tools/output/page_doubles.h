@@ -22,8 +22,9 @@ namespace rimline::tools {
 void leave_out_hidden_doubles(std::vector<PageLine>& lines, std::size_t first, double reach_mm,
                               double min_length_mm);
 
-/// The same of visible lines, beside longer visible ones and beside themselves. Without crumbs: what is
-/// left of a line and shorter than six times the reach.
-void leave_out_visible_doubles(std::vector<PageLine>& lines, std::size_t first, double reach_mm);
+/// The same of visible lines, beside longer visible ones and beside themselves. What is left of a line and shorter than
+/// six times the reach goes too.
+void leave_out_visible_doubles(std::vector<PageLine>& lines, std::size_t first, double reach_mm,
+                               double min_length_mm);
 
 }  // namespace rimline::tools

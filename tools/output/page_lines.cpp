@@ -257,7 +257,7 @@ void add_page_lines(const LineDrawing& drawing, const ViewPlace& place,
     maker.add_strokes();
     maker.add_hidden_lines();
     if (options.visible_double_mm > 0.0)
-        leave_out_visible_doubles(lines, first, options.visible_double_mm);
+        leave_out_visible_doubles(lines, first, options.visible_double_mm, options.min_visible_mm);
     if (options.double_mm > 0.0)
         leave_out_hidden_doubles(lines, first, options.double_mm, options.min_length_mm);
     if (options.curve_mm > 0.0)

@@ -32,6 +32,7 @@ struct PageLineOptions {
     /// Greater than 0: hidden lines that run beside others, this near, are left out (page_doubles.h).
     double double_mm = 0.0;
     double visible_double_mm = 0.0;  ///< The same of visible lines, which are nearly one.
+    double min_visible_mm = 0.0;     ///< What is left of them and shorter is left out.
     double curve_mm = 0.0;  ///< Greater than 0: curves that leave the points by at most this.
     std::optional<PictureRectangle> frame;  ///< Lines end at its borders.
     const Mesh* mesh = nullptr;             ///< If set, PageLine::edges is.

@@ -139,7 +139,7 @@ TEST_CASE("of visible lines that are nearly one the longest stays, beside hidden
     PenLines lines{visible({{0, 0}, {20, 0}}), visible({{2, 0.02}, {9, -0.02}}),
                    visible({{15, 0.02}, {30, 0.02}}), visible({{2, 0.06}, {9, 0.06}}),
                    hidden({{0, 0}, {20, 0}})};
-    tools::leave_out_visible_doubles(lines, 0, 0.03);
+    tools::leave_out_visible_doubles(lines, 0, 0.03, 0.0);
     REQUIRE(lines.size() == 4);
     CHECK(lines[0].points == Points{{0, 0}, {20, 0}});
     CHECK(!lines[1].is_hidden);
@@ -149,9 +149,13 @@ TEST_CASE("of visible lines that are nearly one the longest stays, beside hidden
     CHECK(lines[2].points == Points{{2, 0.06}, {9, 0.06}});
     CHECK(lines[3].is_hidden);
     CHECK(lines[3].points.size() == 2);
+    // What is left of a line may be too short.
+    PenLines rest{visible({{0, 0}, {20, 0}}), visible({{15, 0.02}, {30, 0.02}})};
+    tools::leave_out_visible_doubles(rest, 0, 0.03, 12.0);
+    CHECK(rest.size() == 1);
     // A corner stays one.
     PenLines corner{visible({{0, 0}, {20, 0}}), visible({{0, 0}, {20, 3}})};
-    tools::leave_out_visible_doubles(corner, 0, 0.03);
+    tools::leave_out_visible_doubles(corner, 0, 0.03, 0.0);
     CHECK(corner[1].points == Points{{0, 0}, {20, 3}});
 }
 
