@@ -81,13 +81,13 @@ VkDeviceAddress DrawData::put_segments(std::span<const gpu::LineSegment> segment
     return buffer.address();
 }
 
-VkBuffer DrawData::put_corners(std::span<const std::uint32_t> corners) {
-    if (corners.empty()) return VK_NULL_HANDLE;
+DrawData::CornerList DrawData::make_corner_list(std::size_t corners) {
+    if (corners == 0) return {};
     Buffer& buffer = corners_[slot_];
-    if (buffer.size() < corners.size_bytes())
-        buffer = Buffer(context_, corners.size_bytes(), BufferPlace::upload, "corners of fronts");
-    std::memcpy(buffer.mapped(), corners.data(), corners.size_bytes());
-    return buffer.handle();
+    const VkDeviceSize size = VkDeviceSize{corners} * sizeof(std::uint32_t);
+    if (buffer.size() < size)
+        buffer = Buffer(context_, size, BufferPlace::upload, "corners of fronts");
+    return {{reinterpret_cast<std::uint32_t*>(buffer.mapped()), corners}, buffer.handle()};
 }
 
 DrawData::PartLists DrawData::make_part_lists(std::size_t sides, std::size_t faces) {

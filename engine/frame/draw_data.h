@@ -36,9 +36,13 @@ public:
     /// Copies the segments of all lines of the frame and returns the address of the first; 0 if there are none.
     /// At most one call for each begin_frame(). Throws as begin_frame().
     VkDeviceAddress put_segments(std::span<const gpu::LineSegment> segments);
-    /// Copies the corners of all instances (DrawList::corners). At most one call for each begin_frame(). Throws as
-    /// begin_frame().
-    VkBuffer put_corners(std::span<const std::uint32_t> corners);
+    /// Memory for the corners of all instances (DrawList::corners).
+    struct CornerList {
+        std::span<std::uint32_t> corners;
+        VkBuffer buffer = VK_NULL_HANDLE;
+    };
+    /// At most one call for each begin_frame(). Throws as begin_frame().
+    CornerList make_corner_list(std::size_t corners);
 
     /// Memory for the lists of all parts of shadow volumes of the frame.
     struct PartLists {

@@ -59,8 +59,8 @@ public:
         put_segments(frame_data);
         if (scene_.shadows && parts_.limits_shadows)
             shadow_bounds_.emplace(view_, parts_.target.backdrop.has_value());
+        make_corner_list();
         for (std::size_t i = 0; i < scene_.instances.size(); ++i) add_instance(i);
-        list_.corners = parts_.draw_data.put_corners(corners_);
         if (list_.inks.empty()) list_.inks.push_back(scene_.palette.ink);
         list_.shadow_batches.resize(light_count);
         for (std::size_t l = 0; l < light_count; ++l) plan_shadows(l);
@@ -110,6 +110,24 @@ private:
         for (Segments& segments : segments_) segments.address += begin;
     }
 
+    // Of all faces of an instance whose fronts can be listed.
+    static std::size_t corner_count_of(const SceneInstance& instance) {
+        return instance.is_solid && instance.octree != nullptr
+                   ? 3 * std::size_t{instance.mesh().face_count()}
+                   : 0;
+    }
+
+    void make_corner_list() {
+        if (!parts_.lists_fronts) return;
+        std::size_t count = 0;
+        for (const SceneInstance& instance : scene_.instances)
+            if (const std::size_t own = corner_count_of(instance); count + own <= k_max_corners)
+                count += own;
+        const DrawData::CornerList list = parts_.draw_data.make_corner_list(count);
+        corners_ = list.corners;
+        list_.corners = list.buffer;
+    }
+
     void add_instance(std::size_t i) {
         const SceneInstance& instance = scene_.instances[i];
         InstanceState& state = state_of(i);
@@ -136,12 +154,13 @@ private:
         drawn.shows_backs =
             !drawn.surface.fades && (!instance.is_solid || state.deforming ||
                                      !is_outside(caster.view, caster.box.low, caster.box.high));
-        if (parts_.lists_fronts && instance.is_solid && !drawn.shows_backs &&
-            drawn.surface.colors != SurfaceColors::textures &&
-            corners_.size() + 3 * std::size_t{drawn.face_count} <= k_max_corners) {
-            drawn.first_corner = static_cast<std::uint32_t>(corners_.size());
-            append_front_corners(*state.source, view_.instances[i].camera, corners_);
-            drawn.corner_count = static_cast<std::uint32_t>(corners_.size()) - drawn.first_corner;
+        const std::size_t corners = corner_count_of(instance);
+        if (corners > 0 && corners_.size() - corner_count_ >= corners && !drawn.shows_backs &&
+            drawn.surface.colors != SurfaceColors::textures) {
+            drawn.first_corner = corner_count_;
+            drawn.corner_count = put_front_corners(*state.source, view_.instances[i].camera,
+                                                   corners_.subspan(corner_count_));
+            corner_count_ += drawn.corner_count;
         }
         for (std::size_t l = 0; l < scene_.lights.size(); ++l)
             drawn.lights.push_back(add_light(i, l, caster, drawn));
@@ -470,7 +489,8 @@ private:
     FrameSurfaces surfaces_;
     std::optional<ShadowBounds> shadow_bounds_;  // Empty: shadows are not limited.
     std::vector<Segments> segments_;             // Of each instance.
-    std::vector<std::uint32_t> corners_;         // DrawList::corners.
+    std::span<std::uint32_t> corners_;           // DrawList::corners.
+    std::uint32_t corner_count_ = 0;             // So many are there.
     std::vector<gpu::LightData> lights_;         // Of each instance, and of each of its lights.
     DrawList list_;
 };

@@ -1,20 +1,20 @@
 #include "engine/frame/front_corners.h"
 
 #include <cmath>
-#include <span>
+
+#include "silhouette/error.h"
 
 namespace rimline {
 
-void append_front_corners(const Mesh& mesh, const HomogeneousPoint& camera,
-                          std::vector<std::uint32_t>& corners) {
+std::uint32_t put_front_corners(const Mesh& mesh, const HomogeneousPoint& camera,
+                                std::span<std::uint32_t> corners) {
     // Of the camera's point, the planes and the device's positions: some bits more than floats have.
     constexpr float k_error = 0x1p-18f;
     const float own = k_error * (std::abs(camera.x) + std::abs(camera.y) + std::abs(camera.z) +
                                  std::abs(camera.w) * static_cast<float>(mesh.radius()));
     const std::span<const Plane> planes = mesh.planes();
-    const std::size_t begin = corners.size();
-    corners.resize(begin + 3 * planes.size());
-    std::uint32_t* next = corners.data() + begin;
+    RIMLINE_CHECK(corners.size() >= 3 * planes.size());
+    std::uint32_t* next = corners.data();
     for (std::uint32_t f = 0; f < planes.size(); ++f) {
         const Plane& plane = planes[f];
         const float distance = camera.w * plane.d;
@@ -25,7 +25,7 @@ void append_front_corners(const Mesh& mesh, const HomogeneousPoint& camera,
         next[2] = 3 * f + 2;
         next += value >= -(own + k_error * std::abs(distance)) ? 3 : 0;
     }
-    corners.resize(std::size_t(next - corners.data()));
+    return static_cast<std::uint32_t>(next - corners.data());
 }
 
 }  // namespace rimline

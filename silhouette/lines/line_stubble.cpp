@@ -28,7 +28,14 @@ constexpr double k_min_square_cos = 0.5;
 constexpr double k_double_spacing = 0.25, k_touching = 0.125;
 // A tail is beside a longer stroke within this share of the gap: the ink of both joins.
 constexpr double k_tail_reach = 0.35;
+// Places of a tail are no nearer to each other than this share of the stubble, however small the gap is.
+constexpr double k_least_spacing = 1.0 / 256.0;
 constexpr std::uint32_t k_no_stroke = 0xffffffffu;
+
+// The parts of a segment that are no longer than `spacing`; where that is next to nothing, many.
+int parts_of(double length, double spacing) {
+    return 1 + static_cast<int>(std::min(length / spacing, 1e6));
+}
 
 }  // namespace
 
@@ -174,8 +181,7 @@ bool LineStubble::is_double(std::uint32_t stroke, const LineOptions& options) co
     for (std::uint32_t i = first_segments_[stroke]; i < first_segments_[stroke + 1]; ++i) {
         const Segment& own = segments_[i];
         const glm::dvec2 way = is_dot ? glm::dvec2(0.0) : way_at(i, k_double_spacing * options.gap);
-        const int parts = 1 + static_cast<int>(glm::distance(own.from, own.to) /
-                                               (k_double_spacing * options.gap));
+        const int parts = parts_of(glm::distance(own.from, own.to), k_double_spacing * options.gap);
         for (int part = 0; part <= parts; ++part)
             if (!has_other_along(stroke, way, glm::mix(own.from, own.to, double(part) / parts),
                                  options.gap))
@@ -263,7 +269,8 @@ bool LineStubble::is_sharp(EdgeId edge, const LineFrame& frame, const LineOption
 double LineStubble::tail_of(std::uint32_t stroke, bool is_last, const LineFrame& frame,
                             const LineOptions& options) {
     const std::uint32_t first = first_segments_[stroke], last = first_segments_[stroke + 1];
-    const double spacing = k_double_spacing * options.gap;
+    const double spacing =
+        std::max(k_double_spacing * options.gap, k_least_spacing * options.stubble);
     double arc = 0.0;
     bool is_beside = false;
     free_places_.clear();
@@ -273,17 +280,17 @@ double LineStubble::tail_of(std::uint32_t stroke, bool is_last, const LineFrame&
         const glm::dvec2 to = is_last ? segments_[i].from : segments_[i].to;
         const double length = glm::distance(from, to);
         const glm::dvec2 way = way_at(i, spacing);
-        const int parts = 1 + static_cast<int>(length / spacing);
+        const int parts = parts_of(length, spacing);
         const bool is_smooth = !is_sharp(segments_[i].edge, frame, options);
         for (int part = 0; part < parts; ++part) {
             const double at = arc + length * part / parts;
             const glm::dvec2 place = glm::mix(from, to, double(part) / parts);
-            if (!is_smooth && !is_beside) return 0.0;
+            if (at >= k_double_lengths * options.stubble || (!is_smooth && !is_beside)) return 0.0;
             if (is_smooth && has_other_along(stroke, way, place, k_tail_reach * options.gap)) {
                 if (!is_beside && !is_tail(stroke, frame, options)) return 0.0;
                 is_beside = true;
             } else if (is_beside) {
-                return at >= options.gap && at < k_double_lengths * options.stubble ? at : 0.0;
+                return at >= options.gap ? at : 0.0;
             } else if (at >= options.stubble) {
                 return 0.0;
             } else {
@@ -292,7 +299,7 @@ double LineStubble::tail_of(std::uint32_t stroke, bool is_last, const LineFrame&
         }
         arc += length;
     }
-    return is_beside && arc < k_double_lengths * options.stubble ? arc : 0.0;
+    return is_beside ? arc : 0.0;
 }
 
 // Whether no place of free_places_ is all that is drawn of an outline.
@@ -345,8 +352,8 @@ void LineStubble::cut(std::uint32_t stroke, double begin, double end, bool is_or
                 .position;
         };
         if (before) arc += glm::distance(*before, place(0));
-        double low = -1.0,
-               high = -1.0;  // Numbers of its points with shares, in the order of the stroke.
+        // Numbers of its points with shares, in the order of the stroke.
+        double low = -1.0, high = -1.0;
         for (std::uint32_t i = 0; i + 1 < count; ++i) {
             const double length = glm::distance(place(i), place(i + 1));
             if (length > 0.0 && arc + length > begin && arc < end) {

@@ -259,7 +259,7 @@ public:
         glm::dvec2 from, to;
     };
     // By default they lie on the diagonal of the square, which does not bend.
-    Kept keep(const std::vector<Polyline>& lines, EdgeId edge = EdgeId{0}) const {
+    Kept keep(const std::vector<Polyline>& lines, EdgeId edge = EdgeId{0}, double gap = 0.1) const {
         LineDrawing drawing;
         for (std::uint32_t i = 0; i < lines.size(); ++i) {
             const auto first = static_cast<std::uint32_t>(drawing.points.size());
@@ -279,7 +279,7 @@ public:
         frame.view = &view_;
         LineOptions options;
         options.stubble = 1.0;
-        options.gap = 0.1;
+        options.gap = gap;
         LineStubble().remove(frame, options, drawing);
         if (drawing.strokes.empty() || drawing.parts_of(drawing.strokes[0])[0].run != 0)
             return {drawing.strokes.size(), false, {}, {}};
@@ -428,6 +428,12 @@ TEST_CASE("the tail of a stroke that branches off a longer one goes") {
     // One that meets the longer line across it, or only crosses it, is whole.
     CHECK(strokes.keep({vertical(1, 0, 3), longer}).from == glm::dvec2(1, 0));
     CHECK(strokes.keep({vertical(1, -0.5, 3), longer}).from == glm::dvec2(1, -0.5));
+}
+
+TEST_CASE("a gap of nearly zero leaves tails, and takes no time") {
+    const StrokesBeforeSquare strokes;
+    const Polyline spur{{0, 0.02}, {2, 0.02}, {2.7, 0.37}};
+    CHECK(strokes.keep({spur, horizontal(-8, 8, 0)}, EdgeId{0}, 1e-300).count == 2);
 }
 
 TEST_CASE("a tail that is the outline stays") {
