@@ -199,9 +199,8 @@ struct InstanceData {
     RIMLINE_ADDRESS(MaterialList)
     face_materials;                         // Index in `materials` of each face, or k_no_material.
     RIMLINE_ADDRESS(Colors) corner_colors;  // If has_corner_colors is 1.
-    // For lines in the colors of their materials, else 0: the ink of each material. Beside it only `face_materials`
-    // is needed.
-    RIMLINE_ADDRESS(MaterialList) material_inks;
+    // For lines in the colors of their surfaces, else 0: the ink of each face, a byte, 255 without a material.
+    RIMLINE_ADDRESS(FaceWords) face_inks;
     RIMLINE_ADDRESS(CornerNormals) hull_normals;  // For outlines by back faces, else 0.
     // For surfaces with textures, else 0.
     RIMLINE_ADDRESS(FaceList) textured_faces;  // All faces, ordered by texture.
@@ -243,7 +242,7 @@ struct LightData {
 struct DrawConstants {
     uint choice;  // Its meaning depends on the pass's shader.
     uint
-        material_ink;  // Of line passes: draws only lines of this ink (InstanceData.material_inks), or any.
+        material_ink;  // Of line passes: draws only lines of this ink (InstanceData.face_inks), or any.
 };
 
 // Push constants of the Sobel operator.

@@ -44,8 +44,9 @@ float viewer_height(uint face) {
 uint ink_of(EdgeRecord edge) {
     const bool is_second =
         edge.f1 != k_no_face && viewer_height(edge.f1) > viewer_height(edge.f0);
-    const uint material = instance.face_materials.at[is_second ? edge.f1 : edge.f0];
-    return material == k_no_material ? RIMLINE_OWN_INK : instance.material_inks.at[material];
+    const uint face = is_second ? edge.f1 : edge.f0;
+    const uint ink = instance.face_inks.at[face >> 2] >> 8 * (face & 3) & 0xff;
+    return ink == 0xff ? RIMLINE_OWN_INK : ink;
 }
 
 // Returns false if the edge of this number is not drawn.

@@ -201,7 +201,6 @@ gpu::InstanceData instance_data(const FrameView& view, std::size_t i, const GpuM
     const GpuMaterials* colors = kind == SurfaceColors::one ? nullptr : &*mesh.materials();
     const GpuMaterials* inks =
         has_material_inks(view.scene, instance, mesh) ? &*mesh.materials() : nullptr;
-    const GpuMaterials* faces = colors ? colors : inks;
     const GpuTextures* textures = kind == SurfaceColors::textures ? &*colors->textures() : nullptr;
     const glm::mat3 eye_from_object(instance.scale * (view.eye_from_world * instance.rotation));
     return {.positions = mesh.positions(),
@@ -216,9 +215,9 @@ gpu::InstanceData instance_data(const FrameView& view, std::size_t i, const GpuM
             .irregular_pairs = mesh.comparator() ? mesh.comparator()->irregular_pairs() : 0,
             .segments = 0,
             .materials = colors ? colors->base_colors() : 0,
-            .face_materials = faces ? faces->of_face() : 0,
+            .face_materials = colors ? colors->of_face() : 0,
             .corner_colors = colors ? colors->corner_colors() : 0,
-            .material_inks = inks ? inks->ink_numbers() : 0,
+            .face_inks = inks ? inks->face_inks() : 0,
             .hull_normals = mesh.hull_normals(),
             .textured_faces = textures ? textures->faces() : 0,
             .corner_uvs = textures ? textures->corner_uvs() : 0,

@@ -82,7 +82,7 @@ struct DrawnLight {
 /// The lines of an instance that have one color.
 struct DrawnInk {
     std::size_t ink = 0;  ///< Index in DrawList::inks.
-    /// Only lines of faces whose materials have this ink (InstanceData.material_inks).
+    /// Only lines of faces whose materials have this ink (InstanceData.face_inks).
     std::uint32_t material_ink = RIMLINE_ANY_INK;
     std::uint32_t first_segment = 0, segment_count = 0;  ///< Of an instance that draws segments.
 };

@@ -23,14 +23,19 @@ Buffer add_base_colors(UploadBatch& batch, const FaceMaterials& materials) {
     return batch.add(std::span<const glm::vec3>(colors), "base colors");
 }
 
+// Four in a word.
+Buffer add_face_inks(UploadBatch& batch, std::vector<std::uint8_t> inks) {
+    inks.resize((inks.size() + 3) / 4 * 4);
+    return batch.add(std::span<const std::uint8_t>(inks), "inks of faces");
+}
+
 }  // namespace
 
 GpuMaterials::GpuMaterials(UploadBatch& batch, const FaceMaterials& materials)
     : inks_(material_inks(materials)),
       base_colors_(add_base_colors(batch, materials)),
       of_face_(batch.add(std::span<const MaterialId>(materials.of_face), "materials of faces")),
-      ink_numbers_(
-          batch.add(std::span<const std::uint32_t>(inks_.of_material), "inks of materials")) {
+      face_inks_(add_face_inks(batch, inks_.of_face)) {
     if (!materials.corner_colors.empty())
         corner_colors_ =
             batch.add(std::span<const glm::vec3>(materials.corner_colors), "corner colors");
@@ -38,7 +43,7 @@ GpuMaterials::GpuMaterials(UploadBatch& batch, const FaceMaterials& materials)
 }
 
 std::uint64_t GpuMaterials::size_bytes() const noexcept {
-    return base_colors_.size() + of_face_.size() + corner_colors_.size() + ink_numbers_.size() +
+    return base_colors_.size() + of_face_.size() + corner_colors_.size() + face_inks_.size() +
            (textures_ ? textures_->size_bytes() : 0);
 }
 

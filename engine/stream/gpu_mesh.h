@@ -31,14 +31,14 @@ public:
     /// 0 without corner colors.
     VkDeviceAddress corner_colors() const noexcept { return corner_colors_.address(); }
     const MaterialInks& inks() const noexcept { return inks_; }
-    /// MaterialInks::of_material.
-    VkDeviceAddress ink_numbers() const noexcept { return ink_numbers_.address(); }
+    /// MaterialInks::of_face.
+    VkDeviceAddress face_inks() const noexcept { return face_inks_.address(); }
     /// Empty if no texture has a picture.
     const std::optional<GpuTextures>& textures() const noexcept { return textures_; }
 
 private:
     MaterialInks inks_;
-    Buffer base_colors_, of_face_, corner_colors_, ink_numbers_;
+    Buffer base_colors_, of_face_, corner_colors_, face_inks_;
     std::optional<GpuTextures> textures_;
 };
 

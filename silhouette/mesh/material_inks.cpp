@@ -1,19 +1,21 @@
 #include "silhouette/mesh/material_inks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
 #include <glm/common.hpp>
+#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <map>
+#include <optional>
+#include <span>
+#include <utility>
 
 #include "silhouette/srgb.h"
 
 namespace rimline {
 
 namespace {
-
-using ColorBox = std::array<std::uint32_t, 3>;
 
 std::uint32_t wrapped_pixel(float coordinate, TextureWrap wrap, std::uint32_t size) {
     double share = double{coordinate};
@@ -48,50 +50,134 @@ glm::vec3 face_color(const FaceMaterials& materials, std::size_t face) {
     return color;
 }
 
-// The colors of sRGB in boxes with sides of 1 / `steps`.
-ColorBox box_of(const glm::vec3& color, std::uint32_t steps) {
-    const glm::vec3 srgb = srgb_from_linear(glm::clamp(color, 0.0f, 1.0f));
-    ColorBox box{};
+struct ColorSum {
+    glm::dvec3 color{0.0};
+    double faces = 0.0;
+
+    void add(const glm::dvec3& other) {
+        color += other;
+        faces += 1.0;
+    }
+    glm::vec3 mean() const { return glm::vec3(color / faces); }
+};
+
+// Distances are near to how different colors look, as those in sRGB are, at less cost.
+glm::vec3 perceived(const glm::vec3& color) { return glm::sqrt(glm::clamp(color, 0.0f, 1.0f)); }
+
+// The number of the box that holds a color, where `steps` of them lie along each axis.
+std::uint32_t box_of(const glm::vec3& color, std::uint32_t steps) {
+    const glm::vec3 place = perceived(color) * static_cast<float>(steps);
+    std::uint32_t box = 0;
     for (int c = 0; c < 3; ++c)
-        box[std::size_t(c)] =
-            std::min(static_cast<std::uint32_t>(srgb[c] * static_cast<float>(steps)), steps - 1);
+        box = steps * box + std::min(static_cast<std::uint32_t>(place[c]), steps - 1);
     return box;
+}
+
+// A color for each box of the finest, or nothing if there are too many.
+std::optional<MaterialInks> distinct_inks(const FaceMaterials& materials) {
+    MaterialInks inks;
+    inks.of_face.assign(materials.of_face.size(), k_no_material_ink);
+    std::map<std::uint32_t, std::uint8_t> ink_of_box;
+    std::vector<ColorSum> sums;
+    for (std::size_t face = 0; face < materials.of_face.size(); ++face) {
+        if (materials.of_face[face] == k_no_material) continue;
+        const glm::vec3 color = face_color(materials, face);
+        const auto [place, is_new] =
+            ink_of_box.try_emplace(box_of(color, 256), static_cast<std::uint8_t>(sums.size()));
+        if (is_new && sums.size() == k_max_material_inks) return std::nullopt;
+        if (is_new) sums.emplace_back();
+        inks.of_face[face] = place->second;
+        sums[place->second].add(color);
+    }
+    for (const ColorSum& sum : sums) inks.colors.push_back(sum.mean());
+    return inks;
+}
+
+struct ColorBox {
+    std::size_t number = 0;
+    glm::dvec3 place{0.0};  // The mean color, as perceived.
+    ColorSum sum;
+    std::uint8_t ink = 0;
+};
+
+struct BoxGroup {
+    std::span<ColorBox> boxes;
+    int axis = 0;                       // Along which their faces differ most.
+    double mean = 0.0, variance = 0.0;  // Along the axis; the latter is a sum over the faces.
+
+    explicit BoxGroup(std::span<ColorBox> all) : boxes(all) {
+        ColorSum places;
+        for (const ColorBox& box : boxes) {
+            places.color += box.sum.faces * box.place;
+            places.faces += box.sum.faces;
+        }
+        const glm::dvec3 center = places.color / places.faces;
+        glm::dvec3 variances(0.0);
+        for (const ColorBox& box : boxes)
+            variances += box.sum.faces * (box.place - center) * (box.place - center);
+        for (int c = 1; c < 3; ++c)
+            if (variances[c] > variances[axis]) axis = c;
+        mean = center[axis];
+        variance = variances[axis];
+    }
+};
+
+// Gives every box its ink, and returns their number.
+std::size_t split_boxes(std::span<ColorBox> boxes) {
+    std::vector<BoxGroup> groups{BoxGroup(boxes)};
+    while (groups.size() < k_max_material_inks) {
+        BoxGroup& widest = *std::ranges::max_element(groups, {}, &BoxGroup::variance);
+        const auto middle = std::partition(
+            widest.boxes.begin(), widest.boxes.end(),
+            [&](const ColorBox& box) { return box.place[widest.axis] < widest.mean; });
+        const std::span<ColorBox> below(widest.boxes.begin(), middle),
+            above(middle, widest.boxes.end());
+        if (below.empty() || above.empty()) break;  // All are one color.
+        widest = BoxGroup(below);
+        groups.emplace_back(above);
+    }
+    for (std::size_t ink = 0; ink < groups.size(); ++ink)
+        for (ColorBox& box : groups[ink].boxes) box.ink = static_cast<std::uint8_t>(ink);
+    return groups.size();
+}
+
+MaterialInks joined_inks(const FaceMaterials& materials) {
+    constexpr std::uint32_t k_steps = 32;
+    std::vector<ColorSum> sums(std::size_t{k_steps} * k_steps * k_steps);
+    std::vector<std::uint16_t> box_of_face(materials.of_face.size());
+    for (std::size_t face = 0; face < materials.of_face.size(); ++face) {
+        if (materials.of_face[face] == k_no_material) continue;
+        const glm::vec3 color = face_color(materials, face);
+        box_of_face[face] = static_cast<std::uint16_t>(box_of(color, k_steps));
+        sums[box_of_face[face]].add(color);
+    }
+    std::vector<ColorBox> boxes;
+    for (std::size_t i = 0; i < sums.size(); ++i)
+        if (sums[i].faces > 0.0)
+            boxes.push_back({.number = i, .place = perceived(sums[i].mean()), .sum = sums[i]});
+    const std::size_t ink_count = split_boxes(boxes);
+
+    MaterialInks inks;
+    std::vector<ColorSum> ink_sums(ink_count);
+    std::vector<std::uint8_t> ink_of_box(sums.size());
+    for (const ColorBox& box : boxes) {
+        ink_of_box[box.number] = box.ink;
+        ink_sums[box.ink].color += box.sum.color;
+        ink_sums[box.ink].faces += box.sum.faces;
+    }
+    for (const ColorSum& sum : ink_sums) inks.colors.push_back(sum.mean());
+    for (std::size_t face = 0; face < materials.of_face.size(); ++face)
+        inks.of_face.push_back(materials.of_face[face] == k_no_material
+                                   ? k_no_material_ink
+                                   : ink_of_box[box_of_face[face]]);
+    return inks;
 }
 
 }  // namespace
 
 MaterialInks material_inks(const FaceMaterials& materials) {
-    struct Sum {
-        glm::dvec3 color{0.0};
-        double faces = 0.0;
-    };
-    std::vector<Sum> sums(materials.materials.size());
-    for (std::size_t face = 0; face < materials.of_face.size(); ++face) {
-        if (materials.of_face[face] == k_no_material) continue;
-        Sum& sum = sums[index(materials.of_face[face])];
-        sum.color += glm::dvec3(face_color(materials, face));
-        sum.faces += 1.0;
-    }
-    // Coarser boxes until there are few enough. With one box, all colors are one.
-    for (std::uint32_t steps = 256;; steps /= 2) {
-        MaterialInks inks;
-        std::map<ColorBox, std::uint32_t> boxes;
-        std::vector<Sum> box_sums;
-        for (const Sum& sum : sums) {
-            inks.of_material.push_back(0);
-            if (sum.faces == 0.0) continue;
-            const ColorBox box = box_of(glm::vec3(sum.color / sum.faces), steps);
-            const auto [place, is_new] =
-                boxes.try_emplace(box, static_cast<std::uint32_t>(box_sums.size()));
-            if (is_new) box_sums.emplace_back();
-            inks.of_material.back() = place->second;
-            box_sums[place->second].color += sum.color;
-            box_sums[place->second].faces += sum.faces;
-        }
-        if (box_sums.size() > k_max_material_inks) continue;
-        for (const Sum& sum : box_sums) inks.colors.emplace_back(sum.color / sum.faces);
-        return inks;
-    }
+    if (std::optional<MaterialInks> inks = distinct_inks(materials)) return *std::move(inks);
+    return joined_inks(materials);
 }
 
 glm::vec3 line_shade(const glm::vec3& surface, bool is_light) {

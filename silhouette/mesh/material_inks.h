@@ -1,6 +1,6 @@
 #pragma once
 
-// Colors of lines that follow the materials of a mesh (face_materials.h).
+// Colors of lines that follow the colors of a mesh (face_materials.h).
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -13,12 +13,16 @@ namespace rimline {
 /// Each color of lines costs a draw over the whole picture.
 constexpr std::size_t k_max_material_inks = 16;
 
-/// What the faces of each material look like: the mean over its faces of base color, corner colors, and the
-/// texture at the middle of the face. Materials that look alike share a color.
+constexpr std::uint8_t k_no_material_ink = 0xff;
+
+/// What the faces of a mesh look like: base color times the mean of the corner colors, times the texture at the middle
+/// of the face. Faces that look alike share a color. Of more colors than k_max_material_inks, near ones are joined: the
+/// group that differs most is split at its mean, until there are so many (after Wan, Wong, Prusinkiewicz, *An Algorithm
+/// for Multidimensional Data Clustering*, 1988).
 struct MaterialInks {
     std::vector<glm::vec3> colors;  ///< In linear light, at most k_max_material_inks.
-    /// The index in `colors` for each material. A material without faces has color 0.
-    std::vector<std::uint32_t> of_material;
+    /// The index in `colors` for each face; k_no_material_ink for one without a material. Empty for a mesh without.
+    std::vector<std::uint8_t> of_face;
 };
 
 /// O(faces + materials).

@@ -425,15 +425,14 @@ TEST_CASE("shadows limited to where they can be seen fall on a backdrop as other
                                           {.vector = {2.6, 3.0, 6.6}, .directional = false},
                                           {.vector = {0.1, 0.1, 0.1}, .directional = false},
                                           {.vector = {5.0, 6.0, 13.0}, .directional = false}};
+        Renderer limited(gpu->context(), k_backdrop_plain);
+        Renderer everywhere(gpu->context(), {.samples = 1, .scale = 1, .limits_shadows = false});
+        Host host(gpu->context(), view, 1);
         for (const PictureUse use : {PictureUse::layer, PictureUse::over})
             for (const Light& light : lights) {
                 CAPTURE(std::string(view.name));
                 CAPTURE(light.vector.z);
                 scene.lights = {light, lights[0]};
-                Renderer limited(gpu->context(), k_backdrop_plain);
-                Renderer everywhere(gpu->context(),
-                                    {.samples = 1, .scale = 1, .limits_shadows = false});
-                Host host(gpu->context(), view, 1);
                 const std::vector<glm::vec4> some =
                     host.draw(limited, scene, ground, host.target(use, true));
                 const std::vector<glm::vec4> all =

@@ -147,7 +147,7 @@ public:
         RunTimes& times = context.times;
         models_.settle(picture_, ModelList::FirstCamera::not_used);
         scene_.has_painted_models = models_.has_paint();
-        check_usage();
+        models_.check_usage([&] { check_usage(); });
         if (!picture_.eye) path_.read(context);
         const std::unique_ptr<FrameSink> sink =
             make_frame_sink(output_, {.frame_count = path_.frames,

@@ -118,9 +118,10 @@ private:
     void warn_of_losses(const Mesh& mesh) const {
         const FaceMaterials& materials = mesh.materials();
         if (!materials.corner_colors.empty() || !materials.corner_uvs.empty())
-            print_warning(model_.model +
-                          ": colors of vertices and textures are not written, only the base "
-                          "colors of materials");
+            print_warning(
+                model_.model +
+                ": colors of vertices and of single faces and textures are not written, only "
+                "the base colors of materials");
     }
 
     void report(const Context& context, const Mesh& mesh, const std::vector<EdgeVisibility>& edges,

@@ -56,6 +56,14 @@ std::array<double, 3> list(const Vector& v) {
     return {double{v.x}, double{v.y}, double{v.z}};
 }
 
+// Whether all corners of each face have one color.
+bool has_face_colors(const FaceMaterials& materials) {
+    const std::vector<glm::vec3>& colors = materials.corner_colors;
+    for (std::size_t corner = 0; corner < colors.size(); ++corner)
+        if (colors[corner] != colors[corner - corner % 3]) return false;
+    return true;
+}
+
 // The materials of faces, and the textures among them, named by their files, or by their place in the model's file.
 struct UsedMaterials {
     std::size_t count = 0;
@@ -155,7 +163,9 @@ void print_summary(const std::string& model, const Mesh& mesh, const Extent& ext
     const UsedMaterials materials(mesh.materials());
     if (materials.count == 0) return;
     std::printf("  materials   %zu%s\n", materials.count,
-                mesh.materials().corner_colors.empty() ? "" : ", and colors of vertices");
+                mesh.materials().corner_colors.empty() ? ""
+                : has_face_colors(mesh.materials())    ? ", and colors of faces"
+                                                       : ", and colors of vertices");
     for (const std::string& texture : materials.textures)
         std::printf("  texture     %s\n", texture.c_str());
 }

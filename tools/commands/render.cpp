@@ -91,9 +91,12 @@ public:
         RunTimes& times = context.times;
         models_.settle(picture_, ModelList::FirstCamera::used);
         options_.has_painted_models = models_.has_paint();
-        options_.check_usage(picture_);
-        if (!models_.has_scene_file()) options_.check_lines();  // A file may set them for later.
-        outline_.check_usage(*app_);
+        models_.check_usage([&] {
+            options_.check_usage(picture_);
+            if (!models_.has_scene_file())
+                options_.check_lines();  // A file may set them for later.
+            outline_.check_usage(*app_);
+        });
         check_output(context, output_);
         check_outputs();
         OutputFile output(output_);  // Reports a bad path before the work.
@@ -162,10 +165,16 @@ private:
     }
 
     void write_scene(OutputFile& file, const Scene& scene, const glm::dvec3& up) const {
+        // Its first camera draws this picture.
+        const std::string name = models_.camera_name().empty() ? "camera" : models_.camera_name();
+        nlohmann::ordered_json cameras{{name, scene_camera_json(scene.camera)}};
+        const nlohmann::ordered_json of_file = models_.scene_cameras();
+        for (const auto& [other, camera] : of_file.items())
+            if (other != name) cameras[other] = camera;
         file.write(scene_text({.up = up,
                                .models = models_.models(),
                                .lights = scene_lights_json(scene.lights),
-                               .cameras = {{"camera", scene_camera_json(scene.camera)}},
+                               .cameras = std::move(cameras),
                                .picture = picture_json(*app_)},
                               scene_output_));
         file.commit();

@@ -82,7 +82,7 @@ MeshSource read_model(const std::string& model, const std::string& format,
         throw Error(ErrorCode::bad_input,
                     model + ": no faces: it is a cloud of " +
                         std::to_string(source.positions.size()) +
-                        " points; rimline points draws clouds, and rimline view shows them");
+                        " points; rimline points draws clouds, and rimline view shows one alone");
     return source;
 }
 

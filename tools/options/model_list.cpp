@@ -19,6 +19,7 @@
 #include "tools/options/default_view.h"
 #include "tools/options/exact_text.h"
 #include "tools/options/option_types.h"
+#include "tools/options/replaced_settings.h"
 #include "tools/options/standard_input.h"
 
 namespace rimline::tools {
@@ -221,6 +222,7 @@ void ModelList::read_scene(PictureOptions& picture, FirstCamera first_camera) {
     if (has_own_eye && !camera_.empty())
         throw UsageError("--camera: leave out --eye, --azimuth, --elevation and --target");
     if (camera && !has_own_eye) {
+        camera_ = camera->name;
         std::vector<SceneFile::Setting> settings;
         const bool has_own_lens = given({"--fov", "--ortho"});
         for (const SceneFile::Setting& setting : camera->settings)
@@ -228,14 +230,11 @@ void ModelList::read_scene(PictureOptions& picture, FirstCamera first_camera) {
                 settings.push_back(setting);
         use_settings(*app_, *scene_, settings);
     }
-    // Lighting of the file has a sun as key light, which lamps of the user replace.
-    std::vector<SceneFile::Setting> picture_settings = scene_->picture;
-    if (given({"--light"}))
-        std::erase_if(picture_settings, [](const SceneFile::Setting& setting) {
-            return setting.option == "--lighting";
-        });
-    if (!given({"--sun", "--light"})) use_settings(*app_, *scene_, scene_->lights);
-    use_settings(*app_, *scene_, picture_settings);
+    if (given({"--sun", "--light"})) scene_->lights.clear();
+    drop_replaced(*app_, scene_->lights);
+    drop_replaced(*app_, scene_->picture);
+    use_settings(*app_, *scene_, scene_->lights);
+    use_settings(*app_, *scene_, scene_->picture);
     // The up direction of the camera may be another one than that of the scene.
     if (scene_->up) scene_up_ = scene_->up;
     if (!scene_up_) std::swap(scene_up_, models_.front().up);
@@ -256,6 +255,25 @@ void ModelList::settle(PictureOptions& picture, FirstCamera first_camera) {
     } else {
         if (!camera_.empty()) throw UsageError("--camera: belongs to a scene file");
         for (const PlacedModel& model : models_) name_ += (name_.empty() ? "" : ", ") + model.model;
+    }
+}
+
+void ModelList::check_usage(const std::function<void()>& check) const {
+    try {
+        check();
+    } catch (const UsageError& error) {
+        if (!scene_) throw;
+        const std::string message = error.what();
+        const std::string option = message.substr(0, message.find_first_of(": "));
+        const auto of_file =
+            std::ranges::find(scene_->picture, option, &SceneFile::Setting::option);
+        if (of_file == scene_->picture.end()) throw;
+        const CLI::Option* given = app_->get_option_no_throw(option);
+        if (!given || given->results().back() != of_file->value) throw;
+        const std::size_t colon = message.find(": ");
+        throw Error(ErrorCode::bad_input,
+                    scene_->path + ":" + of_file->place + ": " +
+                        (colon == std::string::npos ? message : message.substr(colon + 2)));
     }
 }
 

@@ -3,6 +3,7 @@
 // The MODEL arguments of commands that draw a scene: models, each with the options of its place after it, or
 // one scene file (scene_file.h).
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -54,6 +55,11 @@ public:
         return !scene_ && models_.size() == 1 && !models_.front().is_placed();
     }
     bool has_scene_file() const noexcept { return scene_.has_value(); }
+    /// Runs `check`. A UsageError that begins with an option which the scene file has set becomes Error{bad_input} at
+    /// its place in the file.
+    void check_usage(const std::function<void()>& check) const;
+    /// The name of the scene file's camera that is used; empty if none is.
+    const std::string& camera_name() const noexcept { return camera_; }
     /// "cameras" of the scene file, as it has them.
     nlohmann::ordered_json scene_cameras() const;
     bool has_paint() const noexcept;

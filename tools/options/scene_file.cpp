@@ -291,6 +291,8 @@ std::vector<Setting> picture_of(const Node& node) {
     std::vector<std::string> names;
     for (const PictureKey& key : k_picture_keys) names.emplace_back(key.name);
     node.check_keys(names);
+    if (node.has("silhouette-from") && node.has("silhouette-direction"))
+        node.fail("\"silhouette-from\" excludes \"silhouette-direction\"");
     std::vector<Setting> settings;
     for (const PictureKey& key : k_picture_keys) {
         const std::string name(key.name);

@@ -128,9 +128,9 @@ void SceneOptions::check_usage(const PictureOptions& picture) const {
                          ", not '" + palette + "'" + did_you_mean(palette, names));
     }
     if (picture.has_own_silhouette() && (intersections || min_length))
-        throw UsageError(
-            "--intersections and --min-length: a frozen silhouette (--silhouette-from, "
-            "--silhouette-direction) has neither");
+        throw UsageError(std::string(intersections ? "--intersections" : "--min-length") +
+                         ": a frozen silhouette (--silhouette-from, --silhouette-direction) has "
+                         "neither intersections nor lines that are too short");
     if (has_painted_models && has_material_lines && !shows_file_colors())
         throw UsageError(
             "--line-color material: with --paint it takes the colors of files; leave out --color "

@@ -114,7 +114,7 @@ void append_pdf_layer(std::string& text, const PageDrawing& drawing, bool is_hid
     else
         text += "1 J ";
     append_pdf_color(text, drawing.layer_color(is_hidden));
-    std::uint32_t ink = k_no_material_ink;
+    std::uint8_t ink = k_no_material_ink;
     for (const PageLine& line : drawing.lines) {
         if (line.is_hidden != is_hidden) continue;
         if (line.ink != ink) {

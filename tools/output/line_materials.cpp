@@ -6,7 +6,7 @@
 
 namespace rimline::tools {
 
-std::uint32_t LineMaterials::ink_of(EdgeId edge, const HomogeneousPoint& point) const {
+std::uint8_t LineMaterials::ink_of(EdgeId edge, const HomogeneousPoint& point) const {
     if (edge == k_no_edge || inks_.colors.empty()) return k_no_material_ink;
     const std::span<const FaceId> faces = mesh_->faces_of(edge);
     // The distance of the point from the plane of a face, negative behind it.
@@ -17,8 +17,7 @@ std::uint32_t LineMaterials::ink_of(EdgeId edge, const HomogeneousPoint& point) 
                double{point.w} * double{plane.d};
     };
     const FaceId seen = std::ranges::max(faces, {}, height);
-    const MaterialId material = mesh_->materials().of_face[index(seen)];
-    return material == k_no_material ? k_no_material_ink : inks_.of_material[index(material)];
+    return inks_.of_face[index(seen)];
 }
 
 }  // namespace rimline::tools

@@ -1,6 +1,6 @@
 #pragma once
 
-// The materials along the lines of a drawing.
+// The colors of the surfaces along the lines of a drawing.
 
 #include <cstdint>
 
@@ -11,9 +11,6 @@
 
 namespace rimline::tools {
 
-/// Of no material: lines of faces without one, and intersections of surfaces.
-constexpr std::uint32_t k_no_material_ink = 0xffffffffu;
-
 class LineMaterials {
 public:
     /// `mesh` must outlive this object. O(faces) where faces have materials.
@@ -22,8 +19,8 @@ public:
 
     const MaterialInks& inks() const noexcept { return inks_; }
     /// The index in inks().colors of that face of an edge which is turned most towards `point`: of a silhouette, the
-    /// front. k_no_edge has none.
-    std::uint32_t ink_of(EdgeId edge, const HomogeneousPoint& point) const;
+    /// front. k_no_material_ink for k_no_edge, an intersection of surfaces.
+    std::uint8_t ink_of(EdgeId edge, const HomogeneousPoint& point) const;
 
 private:
     const Mesh* mesh_;

@@ -24,7 +24,7 @@ struct PageLine {
     std::vector<std::uint32_t> chains;
     /// As pairs of the file's vertices, in the order of the line. Empty unless asked for.
     std::vector<std::array<std::uint32_t, 2>> edges;
-    std::uint32_t ink = k_no_material_ink;  ///< Index in MaterialInks::colors.
+    std::uint8_t ink = k_no_material_ink;  ///< Index in MaterialInks::colors.
 
     double length_mm() const;
 };

@@ -81,7 +81,7 @@ private:
     // Points of the drawing, [first, last).
     struct InkPart {
         std::uint32_t first, last;
-        std::uint32_t ink;
+        std::uint8_t ink;
     };
 
     bool is_drawn_hidden(std::uint32_t run) const {
@@ -110,7 +110,7 @@ private:
     }
 
     // The ink of the segment that ends at a point of the drawing.
-    std::uint32_t ink_at(std::uint32_t point) const {
+    std::uint8_t ink_at(std::uint32_t point) const {
         if (options_.materials == nullptr) return k_no_material_ink;
         return options_.materials->ink_of(drawing_.sources[point].edge, options_.point);
     }
@@ -120,7 +120,7 @@ private:
         std::vector<InkPart>& parts = ink_parts_;
         parts.clear();
         for (std::uint32_t i = run.first_point; i < run.last_point; ++i) {
-            const std::uint32_t ink =
+            const std::uint8_t ink =
                 ink_at(std::min(std::max(i, run.first_point + 1), run.last_point - 1));
             if (parts.empty())
                 parts.push_back({i, i + 1, ink});
@@ -237,7 +237,7 @@ private:
     bool is_hidden_ = false;   // The line that was begun.
     bool is_divided_ = false;  // A part of it, of another ink, was added.
     glm::dvec2 begin_{};       // Where it began, if it is divided.
-    std::uint32_t ink_ = k_no_material_ink;
+    std::uint8_t ink_ = k_no_material_ink;
     std::vector<InkPart> ink_parts_;
     // Of this part of it, in picture coordinates.
     std::vector<glm::dvec2> positions_;

@@ -152,8 +152,10 @@ void ShownLines::add_run(const LineDrawing& drawing, const StrokePart& run) {
         const LinePoint& point = drawing.points[at];
         if (!points_.empty() && points_.back().position == point.position) continue;
         const std::uint32_t source = run.is_reversed && i > 0 ? at + 1 : at;
-        colors_.push_back(has_colors_ ? materials_.ink_of(drawing.sources[source].edge, point_)
-                                      : k_own_line_color);
+        const std::uint8_t ink = has_colors_
+                                     ? materials_.ink_of(drawing.sources[source].edge, point_)
+                                     : k_no_material_ink;
+        colors_.push_back(ink == k_no_material_ink ? k_own_line_color : ink);
         points_.push_back(point);
     }
 }

@@ -33,7 +33,7 @@ void ViewArguments::add_to(CLI::App& app) {
 void ViewArguments::settle() {
     models_.settle(picture_, ModelList::FirstCamera::used);
     scene_.has_painted_models = models_.has_paint();
-    scene_.check_usage(picture_);
+    models_.check_usage([&] { scene_.check_usage(picture_); });
     for (const PlacedModel& model : models_.models())
         if (model.model == k_standard_input)
             throw UsageError("MODEL: the window reads no standard input");

@@ -141,7 +141,7 @@ TEST_CASE("on every instruction set the pairs of a soup are those that integers 
 TEST_CASE("a soup that all threads share has each pair once and the same in every run" *
           doctest::test_suite("threads")) {
     tests::Random random(7);
-    const Mesh mesh(grid_soup(random, 4000, 30));
+    const Mesh mesh(grid_soup(random, 1500, 30));
     const Pairs first = near_pairs(mesh);
     CHECK(first.size() > 1000);
     CHECK(std::ranges::adjacent_find(first) == first.end());

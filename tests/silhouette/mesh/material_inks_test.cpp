@@ -32,7 +32,7 @@ MaterialTexture four_pixels() {
                 2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255}})};
 }
 
-TEST_CASE("the ink of a material is the mean of its faces, with the colors of their corners") {
+TEST_CASE("the ink of a face is the color of its material times the mean of its corners' colors") {
     FaceMaterials materials = one_face_each({{1.0f, 0.5f, 0.25f}, {0.2f, 0.2f, 0.2f}});
     materials.of_face = {MaterialId{0}, k_no_material, MaterialId{0}, MaterialId{1}};
     CHECK(is_close(material_inks(materials).colors[0], {1.0f, 0.5f, 0.25f}));
@@ -40,11 +40,12 @@ TEST_CASE("the ink of a material is the mean of its faces, with the colors of th
     for (std::size_t corner = 0; corner < 2; ++corner)
         materials.corner_colors[corner] = {0.0f, 1.0f, 0.0f};
     const MaterialInks inks = material_inks(materials);
-    REQUIRE(inks.colors.size() == 2);
-    CHECK(inks.of_material == std::vector<std::uint32_t>{0, 1});
-    // The first of two faces has a third of the red and blue.
-    CHECK(is_close(inks.colors[0], {2.0f / 3.0f, 0.5f, 0.25f * 2.0f / 3.0f}));
-    CHECK(is_close(inks.colors[1], glm::vec3(0.2f)));
+    CHECK(inks.of_face == std::vector<std::uint8_t>{0, k_no_material_ink, 1, 2});
+    REQUIRE(inks.colors.size() == 3);
+    // Two of three corners are green.
+    CHECK(is_close(inks.colors[0], {1.0f / 3.0f, 0.5f, 0.25f / 3.0f}));
+    CHECK(is_close(inks.colors[1], {1.0f, 0.5f, 0.25f}));
+    CHECK(is_close(inks.colors[2], glm::vec3(0.2f)));
     CHECK(material_inks({}).colors.empty());
 }
 
@@ -79,28 +80,46 @@ TEST_CASE("textures count in the middle of a face, wherever their coordinates li
     CHECK(is_close(ink_at({0.25f, 0.25f}, TextureWrap::repeat), k_white));
 }
 
-TEST_CASE("many materials share few inks, each near to its own color") {
+TEST_CASE("many colors share few inks, each near to its own color") {
     std::mt19937 random(1);
     std::uniform_real_distribution<float> channel(0.0f, 1.0f);
     std::vector<glm::vec3> colors;
     for (int i = 0; i < 300; ++i)
         colors.push_back(linear_from_srgb({channel(random), channel(random), channel(random)}));
     const MaterialInks many = material_inks(one_face_each(colors));
-    CHECK(many.colors.size() <= k_max_material_inks);
-    CHECK(many.colors.size() >= k_max_material_inks / 2);
+    CHECK(many.colors.size() == k_max_material_inks);
     float greatest = 0.0f;
     for (std::size_t i = 0; i < colors.size(); ++i)
         greatest =
             std::max(greatest, glm::distance(srgb_from_linear(colors[i]),
-                                             srgb_from_linear(many.colors[many.of_material[i]])));
-    CHECK(greatest < 0.9f);  // The diagonal of a box of half the side.
+                                             srgb_from_linear(many.colors[many.of_face[i]])));
+    CHECK(greatest < 0.6f);  // Of 1.7, the diagonal of all colors.
 
     colors.resize(k_max_material_inks);
     const MaterialInks few = material_inks(one_face_each(colors));
     for (std::size_t i = 0; i < colors.size(); ++i)
-        CHECK(is_close(few.colors[few.of_material[i]], colors[i]));
+        CHECK(is_close(few.colors[few.of_face[i]], colors[i]));
     colors.insert(colors.end(), colors.begin(), colors.end());
     CHECK(material_inks(one_face_each(colors)).colors.size() == k_max_material_inks);
+}
+
+TEST_CASE("a rainbow has its inks spread over it, however many faces one color has") {
+    constexpr std::size_t k_count = 3000;
+    std::vector<glm::vec3> colors;
+    for (std::size_t i = 0; i < k_count; ++i) {
+        const float turn = 3.0f * static_cast<float>(i) / k_count;
+        glm::vec3 color(0.0f);
+        color[int(turn)] = int(turn) + 1.0f - turn;
+        color[(int(turn) + 1) % 3] = turn - int(turn);
+        colors.push_back(color);
+    }
+    colors.insert(colors.end(), k_count, glm::vec3(0.5f));
+    const MaterialInks inks = material_inks(one_face_each(colors));
+    CHECK(inks.colors.size() == k_max_material_inks);
+    for (std::size_t i = 0; i < colors.size(); ++i)
+        CHECK(glm::distance(srgb_from_linear(colors[i]),
+                            srgb_from_linear(inks.colors[inks.of_face[i]])) < 0.3f);
+    CHECK(is_close(inks.colors[inks.of_face.back()], glm::vec3(0.5f)));
 }
 
 TEST_CASE("lines are dark shades of the surface's hue, and pale ones on dark paper") {

@@ -189,7 +189,7 @@ def test_convert_keeps_base_colors_and_says_what_it_leaves_out():
         with open(colored, "w", encoding="ascii") as file:
             file.write("v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n")
         result = run("convert", colored, "-o", path)
-        assert result.returncode == 0 and "colors of vertices and textures are not written" in result.stderr, result
+        assert result.returncode == 0 and "colors of vertices and of single faces and textures are not written" in result.stderr, result
 
 
 def test_convert_refuses_what_it_cannot_write():

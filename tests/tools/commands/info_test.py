@@ -1,6 +1,7 @@
 """rimline info."""
 import math
 import os
+import re
 import tempfile
 
 from program import fail, is_vector, run, succeed
@@ -44,6 +45,23 @@ def test_info_measures_clouds_far_from_the_origin():
         found = succeed("info", path)
         assert found["bounds"] == [[500000.25, 5400000, 300], [500001.125, 5400000.5, 300]]
         assert math.isclose(found["radius"], math.hypot(0.4375, 0.25), rel_tol=1e-9)
+
+
+def test_info_tells_what_has_colors():
+    head = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+    color = "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+    faces = "element face 1\nproperty list uchar int vertex_indices\n"
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "colors.ply")
+        for text, expected in (
+                (head + faces + color + "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n", "1, and colors of faces"),
+                (head + color + faces + "end_header\n0 0 0 1 2 3\n1 0 0 4 5 6\n0 1 0 7 8 9\n3 0 1 2\n",
+                 "1, and colors of vertices"),
+                (head + faces + "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", None)):
+            with open(path, "w") as file:
+                file.write(text)
+            told = re.search(r"^  materials   (.*)$", run("info", path).stdout, re.M)
+            assert (told and told[1]) == expected, (text, told)
 
 
 def test_info_tells_what_a_cloud_is():

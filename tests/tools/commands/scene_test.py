@@ -209,6 +209,29 @@ def test_options_go_before_what_a_scene_file_says():
             draw(output, studio, *options)
             draw(other, BOX, *SIZE, *plain)
             assert read_file(output) == read_file(other), options
+        colored = write_scene(folder, {
+            "rimline_scene": 1, "models": [{"model": BOX}], "lights": [{"lamp": [9, 9, 9]}, {"sun": [1, 2, 3]}],
+            "picture": {"style": "toon", "palette": "sea", "outline": "sobel", "normal-step": 30, "size": "160x120"}},
+            "colored.json")
+        lamps = ("--light", "9,9,9", "--sun", "1,2,3")
+        sobel = ("--outline", "sobel", "--normal-step", "30")
+        for options, plain in ((("--style", "toon"), ("--style", "toon", "--palette", "sea", *lamps, *sobel)),
+                               (("--style", "ink"), (*lamps, *sobel)), (("--style", "mask"), ("--style", "mask", *lamps, *sobel)),
+                               (("--outline", "lines"), ("--style", "toon", "--palette", "sea", *lamps)),
+                               (("--lighting", "three-point"), ("--style", "toon", "--palette", "sea", "--lighting",
+                                                                "three-point", "--sun", "1,2,3", *sobel))):
+            draw(output, colored, *options)
+            draw(other, BOX, *SIZE, *plain)
+            assert read_file(output) == read_file(other), options
+        assert "--palette: the style toon has" in fail(2, "render", colored, "--palette", "riso")
+        saved = os.path.join(folder, "saved.json")
+        for options, names in (((), ["front", "far"]), (("--camera", "far"), ["far", "front"]),
+                               (("--eye", "3,2,1"), ["camera", "front", "far"])):
+            draw(output, scene, *options, "--save-scene", saved)
+            with open(saved) as file:
+                assert list(json.load(file)["cameras"]) == names, options
+            draw(other, saved)
+            assert read_file(output) == read_file(other), options
         assert "there are front, far" in fail(1, "render", scene, "--camera", "fro")
         assert "leave out --eye" in fail(2, "render", scene, "--camera", "far", "--eye", "1,2,3")
         assert "stands alone" in fail(2, "render", scene, BOX)
@@ -298,6 +321,13 @@ def test_bad_scene_files_are_errors_with_the_place():
         (changed(picture={"size": "12"}), "scene.json:picture.size: expected WxH"),
         (changed(picture={"lighting": "threepoint"}), "scene.json:picture.lighting: expected one of {sun,three-point"),
         (changed(picture={"crease": 5}), "scene.json:picture.crease: expected a number from 10 to 180"),
+        (changed(picture={"silhouette-from": [9, 1, 1], "silhouette-direction": [1, 1, 1]}),
+         "scene.json:picture: \"silhouette-from\" excludes \"silhouette-direction\""),
+        (changed(picture={"style": "toon", "palette": "riso"}), "scene.json:picture.palette: the style toon has "),
+        (changed(picture={"depth-step": 0.1}), "scene.json:picture.depth-step: belongs to --outline sobel"),
+        (changed(lights=[{"lamp": [9, 1, 1]}], picture={"lighting": "three-point"}), "scene.json:picture.lighting: takes one"),
+        (changed(picture={"style": "mask", "color": "red"}), "scene.json:picture.color: the style mask has only"),
+        (changed(picture={"silhouette-from": [9, 1, 1], "min-length": 3}), "scene.json:picture.min-length: a frozen"),
         ('{"rimline_scene": 1, "models": [{"model": "shape:box", "at": [1,2,3], "at": [1,2,3]}]}', "the key \"at\" occurs twice"),
         ('{"rimline_scene": 1, "models": [{"model": "shape:box", "scale": 1e999}]}', "out of range"),
     ]

@@ -75,7 +75,7 @@ time.sleep(0.25)
 def test_daemon_threads_in_calls_do_not_break_the_end_of_the_interpreter(call, tmp_path):
     if call == "render":
         have_device()
-    for _ in range(5):
+    for _ in range(2):
         result = subprocess.run([sys.executable, "-c", LOOPS, call, str(tmp_path / "drawing.svg")],
                                 capture_output=True, text=True, timeout=60)
         assert result.returncode == 0 and result.stderr == "", (result.returncode, result.stderr)
