@@ -6,16 +6,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
-#include <stdexcept>
 #include <stop_token>
 #include <string>
-#include <system_error>
 #include <utility>
 
-#include "tools/output/output_file.h"
 #include "tools/view/camera_motion.h"
-#include "tools/view/framed_for.h"
 #include "tools/view/view_marks.h"
 
 namespace rimline::tools {
@@ -36,10 +31,6 @@ constexpr double k_idle_s = 0.5;
 double now_s() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
         .count();
-}
-
-void check_picture_name(const std::string& path) {
-    if (!path.ends_with(".png")) throw UsageError(path + ": the name of a picture ends in .png");
 }
 
 }  // namespace
@@ -90,91 +81,6 @@ void ViewLoop::fit() {
     input_.is_framed = true;
 }
 
-void ViewLoop::open(const std::vector<std::string>& names, bool adds) {
-    const auto is_scene = [](const std::string& name) { return is_scene_file(name); };
-    const ModelDocument* const model = session_.document().model();
-    added_.clear();
-    if (!adds || !model) {
-        if (names.size() > 1)
-            notice_ = "opened the first of " + std::to_string(names.size()) +
-                      " files; tick \"add it to the scene\" to show them side by side";
-        loader_.open(names.front());
-    } else if (std::ranges::any_of(names, is_scene)) {
-        panel_.show_message("a scene file cannot be added to a scene", true);
-    } else {
-        added_ = names;
-        loader_.arrange({.models = model->models(),
-                         .added = names,
-                         .up = session_.scene_up(),
-                         .towards_viewer = session_.camera.eye - session_.camera.target,
-                         .positions = model->mesh().positions(),
-                         .has_file_colors = session_.appearance.shows_file_colors()});
-    }
-}
-
-bool ViewLoop::show_loaded() {
-    std::vector<std::string> dropped = window_.take_dropped();
-    if (!dropped.empty()) open(dropped, panel_.adds());
-    std::optional<ModelLoader::Result> result = loader_.take();
-    if (!result) return false;
-    OpenedView& view = result->view;
-    if (!view.document) {
-        notice_.clear();
-        panel_.show_message(result->error, true);
-        panel_.forget_places();
-        added_.clear();
-        return false;
-    }
-    panel_.message.clear();
-    gallery_.clear();
-    // The next document may have the same address.
-    inspected_ = nullptr;
-    drawn_sight_.reset();
-    const bool was_framed = input_.is_framed;
-    switch (result->kind) {
-        case ModelLoader::Kind::document:
-            session_.show(std::move(view.document), free_area().aspect());
-            break;
-        case ModelLoader::Kind::scene: session_.show(std::move(view)); break;
-        case ModelLoader::Kind::arrangement:
-            session_.replace(std::move(view.document));
-            if (session_.has_chosen_sun()) session_.choose_sun(free_area().aspect());
-            break;
-    }
-    frames_of_document_ = 0;
-    if (result->kind != ModelLoader::Kind::arrangement) history_.begin(session_.edit());
-    asked_file_colors_.reset();
-    if (view.size) panel_.set_picture_size(*view.size);
-    // A scene file says where its camera is.
-    if (result->kind == ModelLoader::Kind::scene)
-        input_.is_framed = false;
-    else if (result->kind == ModelLoader::Kind::document || was_framed)
-        fit();
-    find_views();
-    recent_.add(session_.document().name());
-    for (const std::string& name : std::exchange(added_, {})) recent_.add(name);
-    window_.set_title("Rimline - " + session_.document().name());
-    const std::vector<std::string>& warnings = session_.document().warnings();
-    const std::string notice = std::exchange(notice_, {});
-    if (!notice.empty()) panel_.show_message(notice, false);
-    if (!warnings.empty())
-        panel_.show_message(
-            warnings.size() == 1
-                ? warnings[0]
-                : warnings[0] + " (and " + std::to_string(warnings.size() - 1) + " more warnings)",
-            false);
-    return true;
-}
-
-void ViewLoop::undo_or_redo(bool undoes) {
-    history_.note(session_.edit());
-    const std::optional<ViewEdit> edit = undoes ? history_.undo() : history_.redo();
-    if (edit)
-        session_.restore(*edit, free_area().aspect());
-    else
-        panel_.show_message(undoes ? "nothing to undo" : "nothing to do again", false);
-}
-
 bool ViewLoop::has_model(const char* why_not) {
     if (session_.is_cloud()) panel_.show_message(why_not, true);
     return !session_.is_cloud();
@@ -223,53 +129,6 @@ void ViewLoop::apply_keys() {
     }
 }
 
-bool ViewLoop::may_write(const std::string& path) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored) || !may_replace_.insert(path).second) return true;
-    panel_.show_message(path + " exists: save again to replace it", true);
-    return false;
-}
-
-void ViewLoop::save(const PanelRequests::Save& save) {
-    try {
-        check_picture_name(save.path);
-        OutputFile file(save.path, session_.document().name());
-        if (const ModelDocument* model = session_.document().model())
-            for (const PlacedModel& placed : model->models())
-                if (is_same_file(save.path, placed.model))
-                    throw UsageError(save.path +
-                                     ": this is the model itself; name another file to write");
-        if (!may_write(save.path)) return;
-        const FramedFor framed(session_, input_.is_framed, save.size);
-        session_.round_to_options();
-        const std::vector<std::byte> png = encode_png(
-            renderer_.picture(session_.picture(save.size), save.size.width, save.size.height));
-        file.write({reinterpret_cast<const char*>(png.data()), png.size()});
-        file.commit();
-        may_replace_.insert(save.path);
-        panel_.show_message("saved " + save.path, false);
-    } catch (
-        const std::runtime_error& error) {  // Error, or UsageError if the path is the model itself.
-        panel_.show_message(error.what(), true);
-    }
-}
-
-void ViewLoop::save_scene(const PanelRequests::Save& save) {
-    try {
-        if (!is_scene_file(save.path))
-            throw UsageError(save.path + ": the name of a scene file ends in .json");
-        OutputFile file(save.path);
-        if (!may_write(save.path)) return;
-        const FramedFor framed(session_, input_.is_framed, save.size);
-        file.write(scene_text(session_.written_scene(save.size), save.path));
-        file.commit();
-        may_replace_.insert(save.path);
-        panel_.show_message("saved " + save.path, false);
-    } catch (const std::runtime_error& error) {
-        panel_.show_message(error.what(), true);
-    }
-}
-
 void ViewLoop::find_views() {
     played_.reset();
     gallery_.clear();
@@ -300,26 +159,6 @@ void ViewLoop::move_along_path() {
     is_moving_ = true;
 }
 
-void ViewLoop::copy_command() {
-    const PanelRequests::Save picture = panel_.picture_request();
-    try {
-        check_picture_name(picture.path);
-    } catch (const UsageError& error) {
-        panel_.show_message(error.what(), true);
-        return;
-    }
-    if (session_.model().scene_up() && *session_.model().scene_up() != session_.camera.up) {
-        panel_.show_message(
-            "up is another axis than that of the scene, which no command says: save a scene "
-            "file (X) instead",
-            true);
-        return;
-    }
-    const FramedFor framed(session_, input_.is_framed, picture.size);
-    glfwSetClipboardString(window_.handle(), session_.command(picture.size, picture.path).c_str());
-    panel_.show_message("the command is in the clipboard", false);
-}
-
 // A picture of the whole document shows it from the same side of the new up.
 void ViewLoop::set_up_axis(const glm::dvec3& up) {
     Camera& camera = session_.camera;
@@ -327,21 +166,6 @@ void ViewLoop::set_up_axis(const glm::dvec3& up) {
     set_up(camera, up);
     if (input_.is_framed) session_.look_from(direction);
     find_views();
-}
-
-// Where models are painted, the colors of all faces are made when the scene is loaded.
-void ViewLoop::follow_file_colors() {
-    const ModelDocument* const model = session_.document().model();
-    const bool wanted = session_.appearance.shows_file_colors();
-    if (!model || !model->has_paint() || model->has_file_colors() == wanted || loader_.stage() ||
-        asked_file_colors_ == wanted)
-        return;
-    asked_file_colors_ = wanted;
-    loader_.arrange({.models = model->models(),
-                     .added = {},
-                     .up = session_.scene_up(),
-                     .positions = {},
-                     .has_file_colors = wanted});
 }
 
 void ViewLoop::execute(const PanelRequests& requests) {
