@@ -45,6 +45,14 @@ glm::dvec3 axis_to_the_right(const glm::dvec3& up, const glm::dvec3& towards_vie
     return glm::dot(right, nearest) >= 0.0 ? nearest : -nearest;
 }
 
+void keep_turned(PlacedModel& model, const glm::dvec3& up, const BeginCall& begin) {
+    if (model.up) return;
+    const MeshSource source =
+        load_drawn_model(model.model, model.subdivide, begin, TexturePictures::skip, model.format);
+    const glm::dvec3 own = up_of(model, source, {}, begin).up;
+    if (own != up) model.up = UpChoice{glm::vec3(own)};
+}
+
 }  // namespace
 
 std::vector<PlacedModel> place_added(const Arrangement& arrangement, const BeginCall& begin) {
@@ -54,6 +62,7 @@ std::vector<PlacedModel> place_added(const Arrangement& arrangement, const Begin
     const glm::dmat3 to_axes = glm::transpose(from_axes);
     UprightBox scene = box_of(arrangement.positions, to_axes);
     std::vector<PlacedModel> models = arrangement.models;
+    if (arrangement.has_new_first) keep_turned(models.front(), up, begin);
     for (const std::string& name : arrangement.added) {
         PlacedModel model{.model = name};
         const MeshSource source = load_drawn_model(name, 0, begin, TexturePictures::skip);

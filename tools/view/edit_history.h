@@ -1,6 +1,7 @@
 #pragma once
 
-// What the user has changed of lights and look, to be undone and done again. Cameras move too often to be a part of it.
+// What the user has changed of models, lights and look, to be undone and done again. Cameras move too often to be a part
+// of it.
 
 #include <optional>
 #include <utility>
@@ -31,6 +32,8 @@ public:
     std::optional<ViewEdit> undo() { return step(done_, undone_); }
     /// The state that the last undo() left.
     std::optional<ViewEdit> redo() { return step(undone_, done_); }
+    /// What has become of the state that one of the two gave. It is no change.
+    void adopt(ViewEdit now) { now_ = std::move(now); }
 
 private:
     std::optional<ViewEdit> step(std::vector<ViewEdit>& from, std::vector<ViewEdit>& to) {

@@ -169,17 +169,9 @@ void ViewLoop::set_up_axis(const glm::dvec3& up) {
 }
 
 void ViewLoop::execute(const PanelRequests& requests) {
-    if (requests.cancel) {
-        loader_.cancel();
-        panel_.forget_places();  // Else they would be asked for again.
-    }
+    if (requests.cancel) cancel_load();
     if (requests.open) open({*requests.open}, requests.adds);
-    if (requests.arranged)
-        loader_.arrange({.models = *requests.arranged,
-                         .added = {},
-                         .up = session_.scene_up(),
-                         .positions = {},
-                         .has_file_colors = session_.appearance.shows_file_colors()});
+    if (requests.arranged) arrange(*requests.arranged, requests.has_new_first);
     if (requests.up) set_up_axis(*requests.up);
     if (requests.look_from) session_.look_from(*requests.look_from);
     if (requests.fit || requests.look_from || (requests.up && input_.is_framed)) fit();
@@ -331,9 +323,10 @@ bool ViewLoop::draw() {
         frame = draw_new(is_fine);
     } catch (const Error& error) {
         gallery_.clear();
-        loader_.cancel();
+        cancel_load();
         if (error.code() != ErrorCode::too_large || !session_.show_previous(free_area().aspect()))
             throw;
+        history_.begin(session_.edit());
         panel_.show_message(error.what(), true);
         fit();
         find_views();
@@ -394,7 +387,8 @@ bool ViewLoop::step(bool always) {
     execute(requests_);
     follow_file_colors();
     // Once for a drag.
-    if (options_.panel && !is_moving_ && !ImGui::IsAnyItemActive()) history_.note(session_.edit());
+    if (options_.panel && !is_moving_ && !ImGui::IsAnyItemActive() && loads_ != Loads::undone)
+        history_.note(session_.edit());
     return drawn;
 }
 

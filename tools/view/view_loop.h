@@ -59,6 +59,9 @@ public:
     /// Opens models as the panel does: on another thread. Errors are shown in the panel. `adds`: to the scene that
     /// is shown; else the first one takes its place.
     void open(const std::vector<std::string>& names, bool adds = false);
+    /// Shows these models instead, as the panel does where they are moved or removed: on another thread.
+    /// `has_new_first`: the first one was not the first before (Arrangement).
+    void arrange(std::vector<PlacedModel> models, bool has_new_first = false);
     bool is_loading() const { return loader_.stage().has_value(); }
     const std::string& message() const noexcept { return panel_.message; }
     const ViewGallery& gallery() const noexcept { return gallery_; }
@@ -95,7 +98,14 @@ private:
     void copy_command();
     void set_up_axis(const glm::dvec3& up);
     void follow_file_colors();
+    enum class Loads {
+        other,
+        arrangement,  // What the user has changed of the models.
+        undone,       // The same, undone or done again.
+    };
+    void cancel_load();
     void undo_or_redo(bool undoes);
+    void restore(const ViewEdit& edit);
     bool has_model(const char* why_not);  // Else says why a key does nothing.
     std::array<std::size_t, 3> gallery_state() const;
     void build_panel();
@@ -116,7 +126,8 @@ private:
     PanelContext context_;
     WindowRenderer renderer_;
     ModelLoader loader_;
-    ViewGallery gallery_;  // Refers to the session's document.
+    Loads loads_ = Loads::other;  // What the loader is at, until its result is taken.
+    ViewGallery gallery_;         // Refers to the session's document.
     RecentFiles recent_;
     std::array<std::size_t, 3> shown_gallery_{};
     std::string notice_;                     // For the next document, when it is there.

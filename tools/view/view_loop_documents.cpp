@@ -32,6 +32,7 @@ void ViewLoop::open(const std::vector<std::string>& names, bool adds) {
             notice_ = "opened the first of " + std::to_string(names.size()) +
                       " files; tick \"add it to the scene\" to show them side by side";
         loader_.open(names.front());
+        loads_ = Loads::other;
     } else if (std::ranges::any_of(names, is_scene)) {
         panel_.show_message("a scene file cannot be added to a scene", true);
     } else {
@@ -42,7 +43,23 @@ void ViewLoop::open(const std::vector<std::string>& names, bool adds) {
                          .towards_viewer = session_.camera.eye - session_.camera.target,
                          .positions = model->mesh().positions(),
                          .has_file_colors = session_.appearance.shows_file_colors()});
+        loads_ = Loads::arrangement;
     }
+}
+
+void ViewLoop::arrange(std::vector<PlacedModel> models, bool has_new_first) {
+    loader_.arrange({.models = std::move(models),
+                     .up = session_.scene_up(),
+                     .has_file_colors = session_.appearance.shows_file_colors(),
+                     .has_new_first = has_new_first});
+    loads_ = Loads::arrangement;
+}
+
+void ViewLoop::cancel_load() {
+    loader_.cancel();
+    loads_ = Loads::other;
+    added_.clear();
+    panel_.forget_places();  // Else they would be asked for again.
 }
 
 bool ViewLoop::show_loaded() {
@@ -50,6 +67,7 @@ bool ViewLoop::show_loaded() {
     if (!dropped.empty()) open(dropped, panel_.adds());
     std::optional<ModelLoader::Result> result = loader_.take();
     if (!result) return false;
+    const Loads loaded = std::exchange(loads_, Loads::other);
     OpenedView& view = result->view;
     if (!view.document) {
         notice_.clear();
@@ -75,7 +93,10 @@ bool ViewLoop::show_loaded() {
             break;
     }
     frames_of_document_ = 0;
-    if (result->kind != ModelLoader::Kind::arrangement) history_.begin(session_.edit());
+    if (result->kind != ModelLoader::Kind::arrangement)
+        history_.begin(session_.edit());
+    else if (loaded == Loads::undone)
+        history_.adopt(session_.edit());
     asked_file_colors_.reset();
     if (view.size) panel_.set_picture_size(*view.size);
     // A scene file says where its camera is.
@@ -100,12 +121,32 @@ bool ViewLoop::show_loaded() {
 }
 
 void ViewLoop::undo_or_redo(bool undoes) {
-    history_.note(session_.edit());
+    // The last change is the one that is being loaded.
+    if (undoes && loads_ == Loads::arrangement) {
+        cancel_load();
+        panel_.show_message("the change of the models is cancelled", false);
+        return;
+    }
+    if (loads_ != Loads::undone) history_.note(session_.edit());
     const std::optional<ViewEdit> edit = undoes ? history_.undo() : history_.redo();
     if (edit)
-        session_.restore(*edit, free_area().aspect());
+        restore(*edit);
     else
         panel_.show_message(undoes ? "nothing to undo" : "nothing to do again", false);
+}
+
+// Models take a while. Until they are there, the session's state is none of the user's.
+void ViewLoop::restore(const ViewEdit& edit) {
+    session_.restore(edit, free_area().aspect());
+    const ModelDocument* const model = session_.document().model();
+    if (!model || edit.models == model->models()) {
+        if (loads_ == Loads::undone) cancel_load();
+        return;
+    }
+    loader_.arrange({.models = edit.models,
+                     .up = edit.scene_up.value_or(session_.scene_up()),
+                     .has_file_colors = session_.appearance.shows_file_colors()});
+    loads_ = Loads::undone;
 }
 
 // Where models are painted, the colors of all faces are made when the scene is loaded.
@@ -113,7 +154,7 @@ void ViewLoop::follow_file_colors() {
     const ModelDocument* const model = session_.document().model();
     const bool wanted = session_.appearance.shows_file_colors();
     if (!model || !model->has_paint() || model->has_file_colors() == wanted || loader_.stage() ||
-        asked_file_colors_ == wanted)
+        loads_ != Loads::other || asked_file_colors_ == wanted)
         return;
     asked_file_colors_ = wanted;
     loader_.arrange({.models = model->models(),

@@ -165,7 +165,10 @@ void ViewPanel::draw_choice(const Status& status, PanelRequests& requests) {
 
 void ViewPanel::draw_models(const ViewSession& session, PanelRequests& requests) {
     const std::vector<PlacedModel>& models = session.model().models();
-    if (shown_ != models) shown_ = placed_ = models;
+    if (shown_ != models) {
+        shown_ = placed_ = models;
+        has_new_first_ = false;
+    }
     const auto step = static_cast<float>(0.01 * session.bounds().radius);
     std::optional<std::size_t> removed;
     for (std::size_t i = 0; i < placed_.size(); ++i) {
@@ -199,8 +202,11 @@ void ViewPanel::draw_models(const ViewSession& session, PanelRequests& requests)
         ImGui::PopID();
     }
     if (removed) placed_.erase(placed_.begin() + static_cast<std::ptrdiff_t>(*removed));
+    if (removed == 0u) has_new_first_ = true;
     // What is dragged is shown when it is let go.
-    if (placed_ != models && !ImGui::IsAnyItemActive()) requests.arranged = placed_;
+    if (placed_ == models || ImGui::IsAnyItemActive()) return;
+    requests.arranged = placed_;
+    requests.has_new_first = has_new_first_;
 }
 
 void ViewPanel::draw_view(ViewSession& session, ViewInput& input, PanelRequests& requests) {

@@ -23,6 +23,7 @@ struct PanelRequests {
     std::optional<std::string> open;                   ///< The model to open.
     bool adds = false;                                 ///< It is added to the scene that is shown.
     std::optional<std::vector<PlacedModel>> arranged;  ///< The models of the scene, moved.
+    bool has_new_first = false;                        ///< Of these (Arrangement).
     bool cancel = false;                               ///< Cancel the load.
     bool fit = false;                                  ///< Fit the model into the picture.
     bool choose_sun = false;                           ///< Light the model for the camera.
@@ -107,6 +108,7 @@ private:
     bool adds_ = false;
     // The models of the document, and what the user makes of them.
     std::vector<PlacedModel> shown_, placed_;
+    bool has_new_first_ = false;  // Of placed_.
     std::array<char, 1024> picture_path_{"view.png"};
     std::array<char, 1024> scene_path_{"scene.json"};
     std::array<int, 2> picture_size_{1920, 1440};

@@ -279,7 +279,10 @@ bool ViewSession::has_chosen_sun() const {
 
 ViewEdit ViewSession::edit() const {
     const bool chosen = !is_cloud() && has_chosen_sun();
-    return {.has_chosen_sun = chosen,
+    const ModelDocument* const shown = document_.model();
+    return {.models = shown ? shown->models() : std::vector<PlacedModel>(),
+            .scene_up = shown ? shown->scene_up() : std::nullopt,
+            .has_chosen_sun = chosen,
             .lights = chosen ? std::vector<Light>() : lights,
             .frozen = frozen_,
             .appearance = appearance};

@@ -56,6 +56,8 @@ struct ViewAppearance {
 
 /// What the user sets of a session besides the camera.
 struct ViewEdit {
+    std::vector<PlacedModel> models;     ///< Of the document. Empty for a cloud.
+    std::optional<glm::dvec3> scene_up;  ///< ModelDocument::scene_up().
     bool has_chosen_sun = false;
     std::vector<Light> lights;  ///< Empty with a chosen sun, which follows the camera.
     std::optional<Camera> frozen;
@@ -159,7 +161,8 @@ public:
     /// For a sun that the caller has chosen.
     void note_chosen_sun() { chosen_sun_ = lights.back().vector; }
     ViewEdit edit() const;
-    /// Takes edit() back. A sun that was chosen is chosen again, for the present camera.
+    /// Takes edit() back, but for the models, which must be loaded. A sun that was chosen is chosen again, for the
+    /// present camera.
     void restore(const ViewEdit& edit, double aspect);
     /// Rounds camera and lights as options are parsed, so that command() draws the same picture.
     void round_to_options();

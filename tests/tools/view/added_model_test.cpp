@@ -111,3 +111,27 @@ TEST_CASE("a model that is much larger or smaller is added at the size of the ot
     CHECK(glm::distance(box.low, box.high) ==
           doctest::Approx(glm::distance(first.low, first.high)).epsilon(1e-4));
 }
+
+TEST_CASE("a model stays as it was turned when it becomes the first of the scene") {
+    for (const glm::dvec3& up : {glm::dvec3(0, 0, 1), glm::dvec3(0, 1, 0)}) {
+        const std::vector<PlacedModel> both{{.model = "shape:box"},
+                                            {.model = "shape:knot:800", .at = {3, 1, -2}}};
+        const Document before = opened(both, up);
+        const std::vector<PlacedModel> one{both[1]};
+        const std::vector<PlacedModel> kept =
+            place_added({.models = one, .up = up, .has_new_first = true}, k_silent);
+        REQUIRE(kept.size() == 1);
+        // Built-in shapes stand along y.
+        CHECK(kept[0].up.has_value() == (up.y == 0.0));
+        const auto bounds_of_knot = [](const Document& document, std::size_t first) {
+            const Mesh& mesh = document.model()->mesh();
+            return bounds_of_faces(mesh, first, mesh.face_count());
+        };
+        const Bounds was = bounds_of_knot(before, 12), is = bounds_of_knot(opened(kept, up), 0);
+        CHECK(is.low == was.low);
+        CHECK(is.high == was.high);
+        // As it would lie otherwise.
+        const Bounds fallen = bounds_of_knot(opened(one, up), 0);
+        CHECK((fallen.high == was.high) == (up.y == 1.0));
+    }
+}

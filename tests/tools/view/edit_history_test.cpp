@@ -33,6 +33,12 @@ TEST_CASE("changes are undone in their order and done again until there is anoth
     CHECK(history.undo() == of_width(2));
     CHECK(history.undo() == of_width(1));
     CHECK_FALSE(history.undo());
+    CHECK(history.redo() == of_width(2));
+    history.adopt(of_width(2.5f));  // What has become of it.
+    history.note(of_width(2.5f));
+    CHECK(history.redo() == of_width(3));
+    CHECK(history.undo() == of_width(2.5f));
+    CHECK(history.undo() == of_width(1));
     history.begin(of_width(5));
     CHECK_FALSE(history.redo());
     for (int i = 0; i < 300; ++i) history.note(of_width(float(i + 10)));

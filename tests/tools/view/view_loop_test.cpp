@@ -58,6 +58,52 @@ TEST_CASE("a model is added in the window beside the other, seen by the same cam
     CHECK(shown.loop->message().find("cannot be added") != std::string::npos);
 }
 
+TEST_CASE("a model that was added or removed goes and comes back when that is undone") {
+    RIMLINE_OPEN_DISPLAY(display);
+    tests::ShownWindow shown({.panel = true});
+    shown.capture();
+    const auto models = [&] { return shown.session.model().models(); };
+    const auto step_until = [&](std::size_t count) {
+        for (int i = 0; i < 2000 && models().size() != count; ++i) shown.loop->step(true);
+        shown.loop->step(true);
+        REQUIRE(models().size() == count);
+    };
+    const auto press = [&](int key, int modifiers) {
+        tests::tap_key(shown.window, key, modifiers);
+        shown.loop->step(true);
+    };
+    const std::vector<PlacedModel> one = models();
+    shown.loop->open({"shape:box"}, true);
+    step_until(2);
+    const std::vector<PlacedModel> two = models();
+    const bool had_ground = shown.session.appearance.ground;
+    shown.loop->arrange({two[1]}, /*has_new_first=*/true);
+    step_until(1);
+    CHECK(models()[0] == two[1]);
+    press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    step_until(2);
+    CHECK(models() == two);
+    press(GLFW_KEY_Z, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
+    step_until(1);
+    CHECK(models()[0] == two[1]);
+    // Two at once, of which the first is not waited for.
+    press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    for (int i = 0; i < 2000 && models() != one; ++i) shown.loop->step(true);
+    shown.loop->step(true);
+    CHECK(models() == one);
+    press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    CHECK(shown.loop->message() == "nothing to undo");
+    // A change that is not there yet is the last one.
+    shown.session.appearance.ground = !had_ground;
+    shown.loop->step(true);
+    shown.loop->open({"shape:knot:200000"}, true);
+    press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    CHECK_FALSE(shown.loop->is_loading());
+    CHECK(shown.session.appearance.ground == !had_ground);
+    CHECK(models() == one);
+}
+
 // Steps without events until nothing is due.
 static void settle(ViewLoop& loop) {
     for (int step = 0; step < 500; ++step)
