@@ -298,6 +298,11 @@ void ModelList::check_output_is_no_input(const std::string& output) const {
     for (const PlacedModel& model : models_) check(model.model);
 }
 
+void ModelList::subdivide_as(std::span<const PlacedModel> models) {
+    RIMLINE_CHECK(models.size() == models_.size());
+    for (std::size_t i = 0; i < models.size(); ++i) models_[i].subdivide = models[i].subdivide;
+}
+
 MeshSource ModelList::load(PictureOptions& picture, TexturePictures textures,
                            bool keeps_file_colors, const BeginCall& begin) {
     LoadedModels loaded(begin, textures);

@@ -66,6 +66,9 @@ public:
     /// Throws UsageError if `output` is one of the files that are read.
     void check_output_is_no_input(const std::string& output) const;
 
+    /// Subdivides each model as the one at its place in `models` is. Options say it of all models only. After settle();
+    /// both lists must have the same length.
+    void subdivide_as(std::span<const PlacedModel> models);
     /// The models as one source, unless is_plain(). Settles --up: afterwards `picture.up` and
     /// `picture.ground_up` are set. Where models are painted, the others lose the colors of their files unless
     /// `keeps_file_colors`.

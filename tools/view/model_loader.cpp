@@ -32,7 +32,7 @@ void ModelLoader::arrange(Arrangement arrangement) {
         std::vector<std::string> arguments = view_arguments(models, arrangement.up);
         arguments.insert(arguments.begin(),
                          {"--materials", arrangement.has_file_colors ? "on" : "off"});
-        return Result{.view = open_view(std::move(arguments), begin).view,
+        return Result{.view = open_view(std::move(arguments), begin, models).view,
                       .kind = Kind::arrangement,
                       .error = {}};
     });

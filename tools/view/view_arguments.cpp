@@ -128,7 +128,8 @@ OpenedView ViewArguments::model_view(Document document) {
     return view;
 }
 
-ParsedView open_view(std::vector<std::string> arguments, const BeginCall& begin) {
+ParsedView open_view(std::vector<std::string> arguments, const BeginCall& begin,
+                     std::span<const PlacedModel> subdivided) {
     CLI::App app("", "view");
     ViewArguments view;
     view.add_to(app);
@@ -139,6 +140,7 @@ ParsedView open_view(std::vector<std::string> arguments, const BeginCall& begin)
         throw UsageError(first_usage_words(error, app));
     }
     view.settle();
+    if (!subdivided.empty()) view.subdivide_as(subdivided);
     return {.view = view.open(begin), .is_scene_file = view.is_scene_file()};
 }
 

@@ -5,6 +5,7 @@
 
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,8 @@ public:
     bool fits() const noexcept { return !picture_.eye && !picture_.target; }
     bool is_scene_file() const { return tools::is_scene_file(models_.name()); }
 
+    /// After settle(): ModelList::subdivide_as().
+    void subdivide_as(std::span<const PlacedModel> models) { models_.subdivide_as(models); }
     /// After settle(). `inspects`: Hough space is to be shown, which clouds do not have. Throws UsageError for options
     /// that clouds do not have, and what open_document() and the constructor of ModelDocument throw.
     OpenedView open(const BeginCall& begin, bool inspects = false);
@@ -46,12 +49,14 @@ private:
     const CLI::Option* size_option_ = nullptr;
 };
 
-/// Opens what the arguments of a command line say, the subcommand left out. Throws UsageError for arguments that
-/// are not understood, and what ViewArguments throws.
 struct ParsedView {
     OpenedView view;
     bool is_scene_file = false;
 };
-ParsedView open_view(std::vector<std::string> arguments, const BeginCall& begin);
+/// Opens what the arguments of a command line say, the subcommand left out. `subdivided`, unless it is empty: the models
+/// of the arguments, which say how each is subdivided. Throws UsageError for arguments that are not understood, and what
+/// ViewArguments throws.
+ParsedView open_view(std::vector<std::string> arguments, const BeginCall& begin,
+                     std::span<const PlacedModel> subdivided = {});
 
 }  // namespace rimline::tools

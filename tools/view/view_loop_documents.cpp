@@ -219,11 +219,8 @@ void ViewLoop::copy_command() {
         panel_.show_message(error.what(), true);
         return;
     }
-    if (session_.model().scene_up() && *session_.model().scene_up() != session_.camera.up) {
-        panel_.show_message(
-            "up is another axis than that of the scene, which no command says: save a scene "
-            "file (X) instead",
-            true);
+    if (const std::string obstacle = session_.command_obstacle(); !obstacle.empty()) {
+        panel_.show_message(obstacle, true);
         return;
     }
     const FramedFor framed(session_, input_.is_framed, picture.size);

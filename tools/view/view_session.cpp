@@ -1,5 +1,6 @@
 #include "tools/view/view_session.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -309,6 +310,21 @@ void ViewSession::round_to_options() {
     const bool was_chosen = has_chosen_sun();
     for (Light& light : lights) light.vector = rounded_to_float(light.vector);
     if (was_chosen) note_chosen_sun();
+}
+
+std::string ViewSession::command_obstacle() const {
+    const ModelDocument& model = *document_.model();
+    constexpr const char* k_instead = ": save a scene file (X) instead";
+    if (model.scene_up() && *model.scene_up() != camera.up)
+        return std::string("up is another axis than that of the scene, which no command says") +
+               k_instead;
+    const auto differs = [&](const PlacedModel& placed) {
+        return placed.subdivide != model.models().front().subdivide;
+    };
+    if (std::ranges::any_of(model.models(), differs))
+        return std::string("the models are subdivided in different ways, which no command says") +
+               k_instead;
+    return {};
 }
 
 std::string ViewSession::command(ImageSize size, const std::string& output) const {

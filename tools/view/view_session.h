@@ -166,7 +166,9 @@ public:
     void restore(const ViewEdit& edit, double aspect);
     /// Rounds camera and lights as options are parsed, so that command() draws the same picture.
     void round_to_options();
-    /// A command line that draws the picture without the window. For models that are not of a scene file.
+    /// Why no command line can say what is shown, and what to do instead; empty if one can.
+    std::string command_obstacle() const;
+    /// A command line that draws the picture without the window. command_obstacle() must be empty.
     std::string command(ImageSize size, const std::string& output) const;
     /// Applies appearance.fov_y_deg and appearance.orthographic to the camera. Objects at the target keep
     /// their size in the picture.

@@ -122,6 +122,15 @@ TEST_CASE(
     CHECK(moved.view.document.model()->models() == models);
     CHECK(moved.view.document.model()->mesh().bounds().high.x == doctest::Approx(reach + 2.0f));
 
+    // No option says it.
+    models[1].subdivide = 1;
+    loader.arrange({.models = models, .up = {0, 0, 1}});
+    const ModelLoader::Result finer = wait_for(loader);
+    REQUIRE_MESSAGE(finer.view.document.model(), finer.error);
+    CHECK(finer.view.document.model()->models() == models);
+    CHECK(finer.view.document.model()->mesh().face_count() ==
+          4 * moved.view.document.model()->mesh().face_count() - 3 * 12);
+
     std::ofstream(scene) << R"({"rimline_scene": 1, "models": [{"model": "shape:box", "att": 1}]})";
     loader.open(scene);
     result = wait_for(loader);

@@ -306,6 +306,34 @@ TEST_CASE(
         std::vector<PlacedModel>{{.model = "shape:knot", .subdivide = 2}}, std::nullopt);
     CHECK(session.command({320, 240}, "a.png")
               .starts_with("rimline render shape:knot --subdivide 2 --style "));
+    CHECK(session.command_obstacle().empty());
+}
+
+TEST_CASE("what no command says is refused with a word of what says it") {
+    ViewSession session;
+    session.show(open("shape:knot"), 1.0);
+    const auto shows = [&](std::uint32_t first, std::uint32_t second, const glm::dvec3& up) {
+        session.document().model()->set_models(
+            {{.model = "shape:box", .subdivide = first},
+             {.model = "shape:knot", .subdivide = second, .at = {3, 0, 0}}},
+            up);
+    };
+    for (const std::uint32_t steps : {0u, 2u}) {
+        shows(steps, steps, session.camera.up);
+        CHECK(session.command_obstacle().empty());
+        const bool says =
+            session.command({320, 240}, "a.png").find("--subdivide 2 ") != std::string::npos;
+        CHECK(says == (steps > 0));
+    }
+    const auto obstacle_has = [&](const char* words) {
+        return session.command_obstacle().find(words) != std::string::npos;
+    };
+    shows(0, 1, session.camera.up);
+    CHECK(obstacle_has("subdivided"));
+    CHECK(obstacle_has("scene file (X)"));
+    shows(1, 1, {1, 0, 0});
+    CHECK(obstacle_has("up is another axis"));
+    CHECK(obstacle_has("scene file (X)"));
 }
 
 TEST_CASE("three-point lighting is in the command and in the scene file as its sun") {
