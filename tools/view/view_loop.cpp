@@ -187,6 +187,17 @@ void ViewLoop::execute(const PanelRequests& requests) {
     if (requests.save_scene) save_scene(*requests.save_scene);
 }
 
+// The toolkit hides a window until it has measured it, and fits it to its content one frame later. Its own size changes
+// the content, so that it takes as many frames as after an event.
+void ViewLoop::lay_out() {
+    is_laid_out_ = true;
+    for (int frame = 0; frame < k_frames_after_event; ++frame) {
+        context_.begin_frame();
+        draw_panel();
+        context_.end_frame();
+    }
+}
+
 void ViewLoop::build_panel() {
     context_.begin_frame();
     requests_ = {};
@@ -197,27 +208,31 @@ void ViewLoop::build_panel() {
         move_along_path();
         apply_keys();
     }
-    if (options_.panel) {
-        const auto gallery = gallery_.views();
-        shown_gallery_ = gallery_state();
-        const ViewPanel::Status status{.counters = counters_,
-                                       .loading = loader_.stage(),
-                                       .device = renderer_.device_facts().name,
-                                       .recent = recent_.names(),
-                                       .gallery = gallery,
-                                       .has_path = gallery_.path().has_value(),
-                                       .plays_path = played_.has_value(),
-                                       .finds_views = gallery_.is_finding(),
-                                       .scale = window_.content_scale()};
-        if (panel_.visible) {
-            draw_marks(session_, free_area(), input_.light());
-            draw_axes(session_.camera, free_area());
-            panel_.draw(session_, input_, hough_, status, requests_);
-        }
-        panel_.draw_messages(status, requests_);
-    }
-    if (options_.panel && hough_.open && !session_.is_cloud()) draw_hough_space();
+    draw_panel();
     context_.end_frame();
+}
+
+// With what lies beside it and over the picture.
+void ViewLoop::draw_panel() {
+    if (!options_.panel) return;
+    const auto gallery = gallery_.views();
+    shown_gallery_ = gallery_state();
+    const ViewPanel::Status status{.counters = counters_,
+                                   .loading = loader_.stage(),
+                                   .device = renderer_.device_facts().name,
+                                   .recent = recent_.names(),
+                                   .gallery = gallery,
+                                   .has_path = gallery_.path().has_value(),
+                                   .plays_path = played_.has_value(),
+                                   .finds_views = gallery_.is_finding(),
+                                   .scale = window_.content_scale()};
+    if (panel_.visible) {
+        draw_marks(session_, free_area(), input_.light());
+        draw_axes(session_.camera, free_area());
+        panel_.draw(session_, input_, hough_, status, requests_);
+    }
+    panel_.draw_messages(status, requests_);
+    if (hough_.open && !session_.is_cloud()) draw_hough_space();
 }
 
 // Beside the picture of the model.
@@ -381,6 +396,7 @@ bool ViewLoop::step(bool always) {
     const bool refines = is_coarse_ && now_s() - last_change_s_ >= k_rest_s;
     if (!always && frames_due_ == 0 && !is_moving_ && !refines) return false;
     frames_due_ = std::max(frames_due_ - 1, 0);
+    if (!is_laid_out_) lay_out();
     build_panel();
     const bool drawn = draw();
     // After the frame, because requests may take long.

@@ -108,6 +108,8 @@ private:
     void restore(const ViewEdit& edit);
     bool has_model(const char* why_not);  // Else says why a key does nothing.
     std::array<std::size_t, 3> gallery_state() const;
+    void lay_out();
+    void draw_panel();
     void build_panel();
     bool draw();
     ViewPicture picture(bool is_fine, const LongCall& call) const;
@@ -158,6 +160,7 @@ private:
     bool is_coarse_ = false;
     std::uint32_t coarse_frames_ = 0;  // Since the last fine one.
     int frames_due_ = 0;
+    bool is_laid_out_ = false;              // The panel, before the first frame.
     std::uint32_t frames_of_document_ = 0;  // Drawn since it was opened.
     double last_change_s_ = 0.0;
 };

@@ -486,8 +486,8 @@ void ViewPanel::draw(ViewSession& session, ViewInput& input, HoughPanel& hough,
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({margin, margin}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, display.y - 2.0f * margin});
-    is_folded_ = !ImGui::Begin("Rimline", nullptr,
-                               ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove);
+    ImGui::Begin("Rimline", nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove);
+    is_folded_ = ImGui::IsWindowCollapsed();
     if (section("Model")) draw_model(session, status, requests);
     if (!session.is_empty()) {
         if (section("View")) {

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <span>
+#include <thread>
 #include <utility>
 
 #include "engine/tested_device.h"
@@ -207,13 +208,39 @@ TEST_CASE("the panel lies over the picture and leaves the rest of it as it is" *
     Shown shown({.panel = true, .fits = false});
     shown.resize(900, 500);
     shown.session.lights = {{.vector = {0, 0, -1}, .directional = true}};
-    shown.capture();  // The toolkit lays out its windows in the first frame.
     const Picture with_panel = shown.capture_at_rest();
     const Picture picture = shown.rendered(900, 500);
     const auto [under_panel, beside_it] = changed_pixels(with_panel, picture);
     CHECK(under_panel > 10'000);
     // The sun's handle.
     CHECK(beside_it < 1'000);
+}
+
+TEST_CASE("the panel and Hough space are complete in the first frame" *
+          doctest::test_suite("plain")) {
+    RIMLINE_OPEN_DISPLAY(display);
+    for (const bool as_points : {false, true}) {
+        CAPTURE(as_points);
+        Shown shown({.panel = true, .inspector = true, .fits = false}, as_points);
+        shown.resize(1000, 700);
+        while (shown.loop->gallery().is_finding())
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        const Picture first = shown.capture();
+        for (int frame = 0; frame < 4; ++frame) shown.capture();
+        const Picture later = shown.capture_at_rest();
+        REQUIRE(later.rgba.size() == first.rgba.size());
+        // What shines through the panel may be finer.
+        std::size_t dark = 0, other = 0;
+        const auto area = shown.loop->free_area();
+        for (std::size_t i = 0; i < first.rgba.size(); i += 4) {
+            const auto x = double(i / 4 % first.width);
+            if (x > area.left && x < area.window.x - area.right) continue;
+            dark += later.rgba[i] < 120;
+            other += std::abs(int(first.rgba[i]) - int(later.rgba[i])) > 40;
+        }
+        CHECK(dark > 1'000);
+        CHECK(other < dark / 20);
+    }
 }
 
 Picture saved_picture(const char* file) {
