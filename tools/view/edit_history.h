@@ -23,7 +23,10 @@ public:
     }
     /// After what the user did; once for a drag.
     void note(const ViewEdit& now) {
-        if (now == now_) return;
+        if (now == now_) {
+            now_ = now;  // A chosen sun has followed the camera.
+            return;
+        }
         if (done_.size() == k_most) done_.erase(done_.begin());
         done_.push_back(std::exchange(now_, now));
         undone_.clear();

@@ -137,7 +137,7 @@ void ViewLoop::undo_or_redo(bool undoes) {
 
 // Models take a while. Until they are there, the session's state is none of the user's.
 void ViewLoop::restore(const ViewEdit& edit) {
-    session_.restore(edit, free_area().aspect());
+    session_.restore(edit);
     const ModelDocument* const model = session_.document().model();
     if (!model || edit.models == model->models()) {
         if (loads_ == Loads::undone) cancel_load();

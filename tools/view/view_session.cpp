@@ -137,6 +137,12 @@ LineStyle ViewAppearance::line_style() const {
     return shown;
 }
 
+bool ViewEdit::operator==(const ViewEdit& other) const {
+    return models == other.models && has_chosen_sun == other.has_chosen_sun &&
+           (has_chosen_sun || lights == other.lights) && frozen == other.frozen &&
+           appearance == other.appearance;
+}
+
 void ViewSession::show(Document document, double aspect) {
     PictureOptions defaults;
     defaults.fov_degrees = appearance.fov_y_deg;
@@ -284,21 +290,20 @@ ViewEdit ViewSession::edit() const {
     return {.models = shown ? shown->models() : std::vector<PlacedModel>(),
             .scene_up = shown ? shown->scene_up() : std::nullopt,
             .has_chosen_sun = chosen,
-            .lights = chosen ? std::vector<Light>() : lights,
+            .lights = lights,
             .frozen = frozen_,
             .appearance = appearance};
 }
 
-void ViewSession::restore(const ViewEdit& edit, double aspect) {
+void ViewSession::restore(const ViewEdit& edit) {
     const bool has_lens = appearance.fov_y_deg == edit.appearance.fov_y_deg &&
                           appearance.orthographic == edit.appearance.orthographic;
     appearance = edit.appearance;
     frozen_ = edit.frozen;
     if (!has_lens) apply_lens();
-    if (!edit.has_chosen_sun)
-        lights = edit.lights;
-    else if (!has_chosen_sun())
-        choose_sun(aspect);
+    if (edit.has_chosen_sun && has_chosen_sun()) return;
+    lights = edit.lights;
+    if (edit.has_chosen_sun) note_chosen_sun();
 }
 
 void ViewSession::round_to_options() {

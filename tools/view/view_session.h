@@ -59,11 +59,13 @@ struct ViewEdit {
     std::vector<PlacedModel> models;     ///< Of the document. Empty for a cloud.
     std::optional<glm::dvec3> scene_up;  ///< ModelDocument::scene_up().
     bool has_chosen_sun = false;
-    std::vector<Light> lights;  ///< Empty with a chosen sun, which follows the camera.
+    std::vector<Light> lights;
     std::optional<Camera> frozen;
     ViewAppearance appearance;
 
-    bool operator==(const ViewEdit&) const = default;
+    /// A chosen sun equals another one: it follows the camera, which is no edit. What follows from the models, scene_up,
+    /// is not compared.
+    bool operator==(const ViewEdit& other) const;
 };
 
 /// All that ViewSession::picture() depends on, but the size of the picture. Equal ones give the same picture.
@@ -161,9 +163,9 @@ public:
     /// For a sun that the caller has chosen.
     void note_chosen_sun() { chosen_sun_ = lights.back().vector; }
     ViewEdit edit() const;
-    /// Takes edit() back, but for the models, which must be loaded. A sun that was chosen is chosen again, for the
-    /// present camera.
-    void restore(const ViewEdit& edit, double aspect);
+    /// Takes edit() back, but for the models, which must be loaded. Where a sun is chosen already, a chosen one is not
+    /// restored.
+    void restore(const ViewEdit& edit);
     /// Rounds camera and lights as options are parsed, so that command() draws the same picture.
     void round_to_options();
     /// Why no command line can say what is shown, and what to do instead; empty if one can.

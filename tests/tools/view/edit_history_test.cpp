@@ -46,3 +46,25 @@ TEST_CASE("changes are undone in their order and done again until there is anoth
     while (history.undo()) ++undone;
     CHECK(undone == int(EditHistory::k_most));
 }
+
+TEST_CASE("the direction of a chosen sun is the one that it had before the change") {
+    const auto of_sun = [](bool is_chosen, const glm::dvec3& direction) {
+        ViewEdit edit;
+        edit.has_chosen_sun = is_chosen;
+        edit.lights = {{.vector = direction, .directional = true}};
+        return edit;
+    };
+    EditHistory history;
+    history.begin(of_sun(true, {1, 0, 0}));
+    history.note(of_sun(true, {0, 1, 0}));  // It has followed the camera.
+    history.note(of_sun(false, {0, 0, 1}));
+    const auto before = history.undo();
+    REQUIRE(before);
+    CHECK(before->has_chosen_sun);
+    CHECK(before->lights[0].vector == glm::dvec3(0, 1, 0));
+    const auto after = history.redo();
+    REQUIRE(after);
+    CHECK(after->lights[0].vector == glm::dvec3(0, 0, 1));
+    history.note(of_sun(false, {0, 0, 2}));
+    CHECK(history.undo() == after);
+}

@@ -184,6 +184,7 @@ TEST_CASE("what was changed of lights and look is undone and done again, and the
     };
     session.appearance.set_style(Style::blueprint);
     then_step();
+    const glm::dvec3 sun = session.lights[0].vector;
     session.add_light();
     session.lights[0].vector = {3, 1, 2};
     then_step();
@@ -197,6 +198,7 @@ TEST_CASE("what was changed of lights and look is undone and done again, and the
     press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
     CHECK(session.lights.size() == 1);
     CHECK(session.has_chosen_sun());
+    CHECK(session.lights[0].vector == sun);
     CHECK(session.appearance.style == Style::blueprint);
     CHECK_FALSE(session.frozen());  // Z alone would freeze.
     press(GLFW_KEY_Z, GLFW_MOD_CONTROL);

@@ -260,6 +260,28 @@ TEST_CASE("the chosen sun takes the place of all lights and lights what the came
     CHECK(session.lights[0].vector != sun);
 }
 
+TEST_CASE("a sun that was chosen has its direction again when it is restored") {
+    ViewSession session;
+    session.show(open("shape:knot"), 1.2);
+    REQUIRE(session.has_chosen_sun());
+    const glm::dvec3 sun = session.lights[0].vector;
+    const ViewEdit before = session.edit();
+    session.lights[0].vector = {0, 1, 0};  // Dragged.
+    CHECK_FALSE(session.edit() == before);
+    session.look_from(session.camera.target - session.camera.eye);
+    session.restore(before);
+    CHECK(session.has_chosen_sun());
+    CHECK(session.lights[0].vector == sun);
+    // One that is chosen for another camera stays.
+    session.look_from({1, 0, 0});
+    session.choose_sun(1.2);
+    const glm::dvec3 other = session.lights[0].vector;
+    CHECK(other != sun);
+    CHECK(session.edit() == before);
+    session.restore(before);
+    CHECK(session.lights[0].vector == other);
+}
+
 TEST_CASE("a camera that moves keeps the model in its place and its chosen sun beside it") {
     ViewSession session;
     session.show(open("shape:knot"), 1.2);
