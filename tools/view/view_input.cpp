@@ -61,7 +61,7 @@ void ViewInput::move_lights(ViewSession& session, const FreeArea& area) {
     if (ImGui::IsMouseClicked(0)) dragged_light_ = hovered_light_;
 }
 
-void ViewInput::move_camera(ViewSession& session, const glm::dvec2& size) {
+void ViewInput::move_camera(ViewSession& session, const FreeArea& area) {
     const ImGuiIO& io = ImGui::GetIO();
     if (is_framed) has_own_target_ = false;
     const glm::dvec2 moved(io.MouseDelta.x, io.MouseDelta.y);
@@ -75,11 +75,13 @@ void ViewInput::move_camera(ViewSession& session, const glm::dvec2& size) {
         if (flies)
             turn_view(session.camera, -turn_rad);
         else if (pans)
-            pan(session.camera, glm::dvec2(moved.x, -moved.y) / size.y);
+            pan(session.camera, glm::dvec2(moved.x, -moved.y) / area.window.y);
         else
             orbit_about(session.camera,
-                        has_own_target_ ? session.camera.target : session.bounds().center,
+                        has_own_target_ ? session.middle_of(area) : session.bounds().center,
                         turn_rad);
+        // It may be wider from this side.
+        if (is_framed) session.keep_whole(area);
     }
     if (io.MouseWheel != 0.0f && !io.WantCaptureMouse && !hovered_light_) {
         is_framed = false;
@@ -132,7 +134,7 @@ bool ViewInput::apply(ViewSession& session, const FreeArea& area, bool has_handl
     }
     if (!any_down) drags_picture_ = false;
     if (clicked && !io.WantCaptureMouse && !dragged_light_) drags_picture_ = true;
-    move_camera(session, area.window);
+    move_camera(session, area);
     const bool flying = move_flight(session);
     return flying || drags_picture_ || dragged_light_.has_value();
 }

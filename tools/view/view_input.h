@@ -13,11 +13,11 @@ namespace rimline::tools {
 class ViewInput {
 public:
     /// True: dragging turns the view, and W, A, S, D, Q and E move the camera. False: dragging orbits around
-    /// the document's center or, after the user has panned or flown, around the target; with the right or
-    /// middle button or with Shift it pans. The wheel zooms in both modes.
+    /// the document's center or, after the user has panned or flown, around what is in the middle of the free area; with
+    /// the right or middle button or with Shift it pans. The wheel zooms in both modes.
     bool flies = false;
 
-    /// Whether the picture shows the whole document, until the user pans, zooms or flies.
+    /// Whether the picture shows the whole document, also while it is orbited, until the user pans, zooms or flies.
     bool is_framed = false;
 
     /// Applies the input since the last frame to `session`, in a window with this free area. `has_handles`: the handles
@@ -31,7 +31,7 @@ public:
 
 private:
     void move_lights(ViewSession& session, const FreeArea& area);
-    void move_camera(ViewSession& session, const glm::dvec2& size);
+    void move_camera(ViewSession& session, const FreeArea& area);
     bool move_flight(ViewSession& session);
 
     std::optional<std::size_t> hovered_light_;

@@ -217,26 +217,42 @@ void ViewSession::fit(const FreeArea& area) {
             frame_with_shadows(camera, document_.model()->mesh(), lights, camera.up, area.aspect());
     appearance.orthographic = orthographic;
     apply_lens();
-    // Away from the window's middle a perspective picture is another one: near parts move farther. It converges.
+    if (frames_shadow) {
+        // The middle is that of model and shadow; the model may be aside of it, but wholly in view.
+        const double middle = area.left + 0.5 * area.width();
+        pan(camera, {(middle - 0.5 * area.window.x) / area.window.y, 0.0});
+    }
+    bring_into(area, frames_shadow ? Place::nearest : Place::middle);
+}
+
+// Away from the window's middle a perspective picture is another one: near parts move farther. It converges.
+void ViewSession::bring_into(const FreeArea& area, Place place) {
     constexpr int k_steps = 5;
-    const glm::dvec2 middle(area.left + 0.5 * area.width(), 0.5 * area.window.y);
-    if (frames_shadow) pan(camera, {(middle.x - 0.5 * area.window.x) / area.window.y, 0.0});
+    constexpr double k_near_enough = 1e-3;  // In heights of the window.
+    const glm::dvec2 size(area.width(), area.window.y);
+    const glm::dvec2 middle(area.left + 0.5 * size.x, 0.5 * size.y);
     for (int step = 0; step < k_steps; ++step) {
         const std::optional<PictureBox> box = box_of(camera, document_.subject(), area.window);
         if (!box) return;
         const glm::dvec2 sides = k_picture_margin * (box->high - box->low);
         glm::dvec2 shift = middle - 0.5 * (box->low + box->high);
-        if (frames_shadow) {
-            // The middle is that of model and shadow; the model may be aside of it, but wholly in view.
-            const glm::dvec2 room =
-                glm::max(0.5 * (glm::dvec2(area.width(), area.window.y) - sides), 0.0);
+        if (place == Place::nearest) {
+            const glm::dvec2 room = glm::max(0.5 * (size - sides), 0.0);
             shift -= glm::clamp(shift, -room, room);
         }
+        const double excess = std::max(sides.x / size.x, sides.y / size.y);
         pan(camera, glm::dvec2(shift.x, -shift.y) / area.window.y);
-        const double excess = std::max(sides.x / area.width(), sides.y / area.window.y);
-        const double radius = bounds().radius;
-        if (excess > 1.0) zoom(camera, excess, 0.0, 1e3 * radius);
+        if (excess > 1.0) zoom(camera, excess, 0.0, 1e3 * bounds().radius);
+        if (excess <= 1.0 + k_near_enough && glm::length(shift) <= k_near_enough * size.y) return;
     }
+}
+
+void ViewSession::keep_whole(const FreeArea& area) { bring_into(area, Place::nearest); }
+
+glm::dvec3 ViewSession::middle_of(const FreeArea& area) const {
+    const double aside = (area.left + 0.5 * area.width() - 0.5 * area.window.x) / area.window.y;
+    const glm::dvec3 right = glm::transpose(camera_from_world(camera))[0];
+    return camera.target + aside * view_height(camera) * right;
 }
 
 // As the camera may look: straight from above, the front is below.

@@ -147,6 +147,11 @@ public:
     /// Moves the camera, but does not turn it, so that the whole document, with a ground its shadow too, is in the
     /// middle of a rectangle of the picture. O(positions).
     void fit(const FreeArea& area);
+    /// Moves the camera by as little as is needed for the whole document to be within the area, with the margin of fit().
+    /// It never comes nearer, so that nothing pumps while the camera turns. O(positions).
+    void keep_whole(const FreeArea& area);
+    /// The point in the middle of the area that is as far from the eye as the target.
+    glm::dvec3 middle_of(const FreeArea& area) const;
     /// Turns the camera about the document's center so that it looks from this direction (towards the viewer,
     /// not zero), at most k_max_elevation_deg above or below the horizon.
     void look_from(const glm::dvec3& towards_viewer);
@@ -208,6 +213,9 @@ public:
     SplatScene cloud_scene() const;
 
 private:
+    // With a margin, within the area: in its middle, or moved as little as possible. Steps back where it is too large.
+    enum class Place { middle, nearest };
+    void bring_into(const FreeArea& area, Place place);
     glm::dvec3 level_direction(const glm::dvec3& towards_viewer) const;
 
     Document document_;

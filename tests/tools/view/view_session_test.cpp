@@ -173,59 +173,6 @@ TEST_CASE("fitting brings the model back into view from where the camera is, by 
     }
 }
 
-TEST_CASE("between panels the model is whole in the middle of what they leave from every side" *
-          doctest::test_suite("plain")) {
-    ViewSession session;
-    for (const char* name : {"shape:spring", "shape:scene", "shape:knot"}) {
-        session.show(open(name), 1.2);
-        for (const FreeArea& area : {FreeArea{.window = {1280, 860}, .left = 320},
-                                     FreeArea{.window = {900, 700}, .left = 320, .right = 290},
-                                     FreeArea{.window = {700, 900}, .left = 0, .right = 300}})
-            for (const bool orthographic : {false, true}) {
-                session.appearance.orthographic = orthographic;
-                session.apply_lens();
-                orbit(session.camera, {0.7, 0.2});
-                session.fit(area);
-                const ScreenView view(session.camera, area.window);
-                double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
-                for (const glm::vec3& p : session.model().mesh().positions()) {
-                    const auto pixel = view.pixel_of(glm::dvec3(p));
-                    REQUIRE(pixel);
-                    left = std::min(left, pixel->x), right = std::max(right, pixel->x);
-                    top = std::min(top, pixel->y), bottom = std::max(bottom, pixel->y);
-                }
-                CAPTURE(name);
-                CAPTURE(area.right);
-                CHECK(left > area.left);
-                CHECK(right < area.window.x - area.right);
-                CHECK(top > 0.0);
-                CHECK(bottom < area.window.y);
-                // It fills one of the two directions.
-                CHECK(std::max((right - left) / area.width(), (bottom - top) / area.window.y) >
-                      0.75);
-                CHECK(0.5 * (left + right) ==
-                      doctest::Approx(area.left + 0.5 * area.width()).epsilon(0.03));
-            }
-    }
-}
-
-TEST_CASE("with a ground the model is whole too beside its shadow" * doctest::test_suite("plain")) {
-    ViewSession session;
-    session.appearance.ground = true;
-    for (const char* name : {"shape:spring", "shape:knot"})
-        for (const FreeArea& area : {FreeArea{.window = {1100, 850}, .left = 320},
-                                     FreeArea{.window = {900, 700}, .left = 320, .right = 290}}) {
-            session.show(open(name), area.aspect());
-            for (int turn = 0; turn < 8; ++turn) {
-                orbit(session.camera, {0.8, turn < 4 ? 0.1 : -0.1});
-                session.fit(area);
-                CAPTURE(name);
-                CAPTURE(turn);
-                CHECK(session.is_whole(area));
-            }
-        }
-}
-
 TEST_CASE("the camera looks from where it is told to, level, and never straight along its axis") {
     ViewSession session;
     session.show(open("shape:knot"), 1.2);
