@@ -204,6 +204,11 @@ void ModelList::read_command_line(PictureOptions& picture) {
     picture.up = scene_up_ ? scene_up_->direction : std::nullopt;
 }
 
+void ModelList::use(const std::vector<SceneFile::Setting>& settings) {
+    for (UnusedSetting& unused : use_settings(*app_, *scene_, settings))
+        unused_.push_back(std::move(unused));
+}
+
 void ModelList::read_scene(PictureOptions& picture, FirstCamera first_camera) {
     const std::string path = models_.front().model;
     if (models_.front().is_placed() || subdivide_ > 0 || models_.front().up)
@@ -228,13 +233,13 @@ void ModelList::read_scene(PictureOptions& picture, FirstCamera first_camera) {
         for (const SceneFile::Setting& setting : camera->settings)
             if (!has_own_lens || (setting.option != "--fov" && setting.option != "--ortho"))
                 settings.push_back(setting);
-        use_settings(*app_, *scene_, settings);
+        use(settings);
     }
     if (given({"--sun", "--light"})) scene_->lights.clear();
     drop_replaced(*app_, scene_->lights);
     drop_replaced(*app_, scene_->picture);
-    use_settings(*app_, *scene_, scene_->lights);
-    use_settings(*app_, *scene_, scene_->picture);
+    use(scene_->lights);
+    use(scene_->picture);
     // The up direction of the camera may be another one than that of the scene.
     if (scene_->up) scene_up_ = scene_->up;
     if (!scene_up_) std::swap(scene_up_, models_.front().up);
@@ -282,6 +287,28 @@ nlohmann::ordered_json ModelList::scene_cameras() const {
     if (scene_)
         for (const SceneFile::Camera& camera : scene_->cameras) cameras[camera.name] = camera.json;
     return cameras;
+}
+
+std::optional<ImageSize> ModelList::scene_size() const {
+    if (scene_)
+        for (const SceneFile::Setting& setting : scene_->picture)
+            if (setting.option == "--size") return parse_image_size("--size", setting.value);
+    return std::nullopt;
+}
+
+nlohmann::ordered_json ModelList::unused_picture() const {
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    for (const UnusedSetting& unused : unused_) {
+        const std::string key = unused.option.substr(2);  // Without the dashes.
+        if (scene_->picture_json.contains(key)) json[key] = scene_->picture_json[key];
+    }
+    return json;
+}
+
+std::vector<std::string> ModelList::warnings() const {
+    std::vector<std::string> warnings;
+    for (const UnusedSetting& unused : unused_) warnings.push_back(unused.warning);
+    return warnings;
 }
 
 bool ModelList::has_paint() const noexcept {

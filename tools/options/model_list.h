@@ -62,6 +62,12 @@ public:
     const std::string& camera_name() const noexcept { return camera_; }
     /// "cameras" of the scene file, as it has them.
     nlohmann::ordered_json scene_cameras() const;
+    /// "size" of the scene file, whatever the user's --size is.
+    std::optional<ImageSize> scene_size() const;
+    /// The keys of "picture" for which the command has no option, as the file has them.
+    nlohmann::ordered_json unused_picture() const;
+    /// Of what the command has no option for. They are printed already.
+    std::vector<std::string> warnings() const;
     bool has_paint() const noexcept;
     /// Throws UsageError if `output` is one of the files that are read.
     void check_output_is_no_input(const std::string& output) const;
@@ -91,6 +97,7 @@ private:
     void add_value(PlacedModel* model, const CLI::Option* option, const std::string& value);
     void read_command_line(PictureOptions& picture);
     void read_scene(PictureOptions& picture, FirstCamera first_camera);
+    void use(const std::vector<SceneFile::Setting>& settings);
 
     CLI::App* app_ = nullptr;
     CLI::Option *model_option_ = nullptr, *up_option_ = nullptr;
@@ -98,6 +105,7 @@ private:
     std::uint32_t subdivide_ = 0;
     std::string format_, camera_, name_;
     std::optional<SceneFile> scene_;
+    std::vector<UnusedSetting> unused_;  // Of scene_.
     std::optional<UpChoice> scene_up_;
     std::vector<PlacedModel> models_;
     ChosenUp up_;

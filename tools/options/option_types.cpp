@@ -109,6 +109,15 @@ Color parse_color(const std::string& option, std::string_view text, bool takes_a
     return *color;
 }
 
+double parse_in_range(const std::string& option, const std::string& text, double low, double high) {
+    const std::optional<double> number = parse_number<double>(text);
+    if (!number || *number < low || *number > high)
+        reject(option, "a number from " + plain(low) + " to " + plain(high), text);
+    return *number;
+}
+
+}  // namespace
+
 ImageSize parse_image_size(const std::string& option, std::string_view text) {
     const std::size_t cross = text.find('x');
     if (cross != std::string_view::npos) {
@@ -121,15 +130,6 @@ ImageSize parse_image_size(const std::string& option, std::string_view text) {
     }
     reject(option, "WxH with both from 1 to " + std::to_string(k_max_image_side), text);
 }
-
-double parse_in_range(const std::string& option, const std::string& text, double low, double high) {
-    const std::optional<double> number = parse_number<double>(text);
-    if (!number || *number < low || *number > high)
-        reject(option, "a number from " + plain(low) + " to " + plain(high), text);
-    return *number;
-}
-
-}  // namespace
 
 glm::dvec3 parse_exact_point(const std::string& option, std::string_view text) {
     glm::dvec3 point{};

@@ -81,7 +81,8 @@ struct ImageSize {
     bool operator==(const ImageSize&) const noexcept = default;
 };
 constexpr std::uint32_t k_max_image_side = 16384;
-/// `WxH`, each from 1 to k_max_image_side.
+/// `WxH`, each from 1 to k_max_image_side. Throws CLI::ValidationError.
+ImageSize parse_image_size(const std::string& option, std::string_view text);
 CLI::Option* add_image_size(CLI::App& app, const std::string& name, ImageSize& value,
                             const std::string& description);
 

@@ -370,7 +370,10 @@ SceneFile read_scene_file(const std::string& path) {
         for (const auto& [name, unused] : cameras.value().items())
             scene.cameras.push_back(camera_of(name, cameras.at(name)));
     }
-    if (root.has("picture")) scene.picture = picture_of(root.at("picture"));
+    if (root.has("picture")) {
+        scene.picture = picture_of(root.at("picture"));
+        scene.picture_json = root.at("picture").value();
+    }
     return scene;
 }
 
@@ -388,19 +391,23 @@ const SceneFile::Camera* find_camera(const SceneFile& scene, const std::string& 
          "there is no camera '" + name + "'" + list + did_you_mean(name, names));
 }
 
-void use_settings(CLI::App& app, const SceneFile& scene, const std::vector<Setting>& settings) {
+std::vector<UnusedSetting> use_settings(CLI::App& app, const SceneFile& scene,
+                                        const std::vector<Setting>& settings) {
     // Those that the file sets several times, lights, are not given by the user.
     std::set<std::string> given;
     for (const Setting& setting : settings) {
         const CLI::Option* option = app.get_option_no_throw(setting.option);
         if (option && option->count() > 0) given.insert(setting.option);
     }
+    std::vector<UnusedSetting> unused;
     for (const Setting& setting : settings) {
         if (given.contains(setting.option)) continue;
         CLI::Option* option = app.get_option_no_throw(setting.option);
         if (!option) {
-            print_warning(scene.path + ":" + setting.place + ": " + app.get_name() + " has no " +
-                          setting.option + "; it is not used");
+            unused.push_back({setting.option, scene.path + ":" + setting.place + ": " +
+                                                  app.get_name() + " has no " + setting.option +
+                                                  "; it is not used"});
+            print_warning(unused.back().warning);
             continue;
         }
         try {
@@ -412,6 +419,7 @@ void use_settings(CLI::App& app, const SceneFile& scene, const std::vector<Setti
             fail(scene.path, setting.place, without_name(usage_words(error, app)));
         }
     }
+    return unused;
 }
 
 Json short_vector(const glm::dvec3& v) {

@@ -38,6 +38,7 @@ struct SceneFile {
     std::vector<Setting> lights;
     std::vector<Camera> cameras;
     std::vector<Setting> picture;
+    nlohmann::ordered_json picture_json;  ///< As the file has it.
 };
 
 /// Throws Error{io} and Error{bad_input}; the message begins with the path and the place, as
@@ -49,11 +50,15 @@ SceneFile read_scene_file(const std::string& path);
 /// a name that no camera has.
 const SceneFile::Camera* find_camera(const SceneFile& scene, const std::string& name);
 
+/// An option that the command does not have, and the warning that says so.
+struct UnusedSetting {
+    std::string option, warning;
+};
 /// Gives the options of `app` that the user has not given the values of a scene file. Call it after parsing.
-/// Warns of options that the command does not have. Throws Error{bad_input} for a value that the option does
-/// not take.
-void use_settings(CLI::App& app, const SceneFile& scene,
-                  const std::vector<SceneFile::Setting>& settings);
+/// Prints a warning of each option that the command does not have, and returns these. Throws Error{bad_input} for a
+/// value that the option does not take.
+std::vector<UnusedSetting> use_settings(CLI::App& app, const SceneFile& scene,
+                                        const std::vector<SceneFile::Setting>& settings);
 
 /// The object of a model, as the file has it; without what is the default.
 nlohmann::ordered_json to_json(const PlacedModel& model);

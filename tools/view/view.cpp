@@ -87,13 +87,18 @@ public:
         OpenedView opened = std::move(*loaded);
         for (const std::string& warning : opened.document.warnings()) print_warning(warning);
         print_up(opened.up);
+        std::vector<std::string> warnings = opened.warnings;
+        for (const std::string& warning : opened.document.warnings()) warnings.push_back(warning);
+        const std::optional<ImageSize> picture_size = opened.size;
         session.show(std::move(opened));
         ViewLoop loop(window, instance, session,
                       {.device = picture.device,
                        .panel = !no_panel_,
                        .inspector = inspect_,
                        .frames = frames_,
-                       .fits = fits});
+                       .fits = fits,
+                       .picture_size = picture_size,
+                       .warnings = std::move(warnings)});
         loop.run(context);
         if (screenshot) {
             const std::vector<std::byte> png = encode_png(loop.captured());

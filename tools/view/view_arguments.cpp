@@ -26,7 +26,6 @@ void ViewArguments::add_to(CLI::App& app) {
     models_.add_to_camera(app);
     picture_.add_lights_to(app);
     picture_.add_image_to(app);
-    size_option_ = app.get_option("--size");
     picture_.add_machine_to(app);
 }
 
@@ -121,8 +120,10 @@ OpenedView ViewArguments::model_view(Document document) {
     view.frozen = silhouette_camera_of(document.subject(), view.camera,
                                        in_double(picture_.silhouette_from), picture_);
     if (is_scene_file()) {
-        if (size_option_->count() > 0) view.size = picture_.size;
+        view.size = models_.scene_size();
         view.scene_cameras = models_.scene_cameras();
+        view.unused_picture = models_.unused_picture();
+        view.warnings = models_.warnings();
     }
     view.document = std::move(document);
     return view;

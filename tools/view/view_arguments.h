@@ -46,7 +46,6 @@ private:
     CloudArgument cloud_;  // Only its flags are used.
     PictureOptions picture_;
     SceneOptions scene_;
-    const CLI::Option* size_option_ = nullptr;
 };
 
 struct ParsedView {

@@ -47,6 +47,8 @@ ViewLoop::ViewLoop(Window& window, const VulkanInstance& instance, ViewSession& 
       recent_(recent_files_path()),
       coarseness_(renderer_.device_facts().type == VK_PHYSICAL_DEVICE_TYPE_CPU) {
     panel_.visible = options_.panel;
+    if (options_.picture_size) panel_.set_picture_size(*options_.picture_size);
+    show_warnings(options_.warnings);
     history_.begin(session_.edit());
     hough_.open = options_.inspector;
     if (options_.panel && options_.fits) fit();

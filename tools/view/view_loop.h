@@ -37,6 +37,10 @@ struct ViewLoopOptions {
     std::uint32_t frames = 0;
     /// Starts with the model fitted into the part of the window that the panel leaves free.
     bool fits = true;
+    /// Of pictures that are saved. Not set: the panel's own.
+    std::optional<ImageSize> picture_size = {};
+    /// Shown at first.
+    std::vector<std::string> warnings = {};
 };
 
 class ViewLoop {
@@ -64,6 +68,8 @@ public:
     void arrange(std::vector<PlacedModel> models, bool has_new_first = false);
     bool is_loading() const { return loader_.stage().has_value(); }
     const std::string& message() const noexcept { return panel_.message; }
+    /// Of pictures that are saved.
+    ImageSize picture_size() const { return panel_.picture_request().size; }
     const ViewGallery& gallery() const noexcept { return gallery_; }
     /// Of these, those that the last frame has shown.
     std::size_t shown_views() const noexcept { return shown_gallery_[0]; }
@@ -83,6 +89,7 @@ public:
 
 private:
     bool show_loaded();  // Returns whether a new document is shown.
+    void show_warnings(const std::vector<std::string>& warnings);
     void apply_keys();
     void draw_hough_space();
     double hough_width() const;

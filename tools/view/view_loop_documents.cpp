@@ -81,6 +81,8 @@ bool ViewLoop::show_loaded() {
     // The next document may have the same address.
     inspected_ = nullptr;
     drawn_sight_.reset();
+    std::vector<std::string> warnings = std::move(view.warnings);
+    for (const std::string& warning : view.document.warnings()) warnings.push_back(warning);
     const bool was_framed = input_.is_framed;
     switch (result->kind) {
         case ModelLoader::Kind::document:
@@ -108,16 +110,19 @@ bool ViewLoop::show_loaded() {
     recent_.add(session_.document().name());
     for (const std::string& name : std::exchange(added_, {})) recent_.add(name);
     window_.set_title("Rimline - " + session_.document().name());
-    const std::vector<std::string>& warnings = session_.document().warnings();
     const std::string notice = std::exchange(notice_, {});
     if (!notice.empty()) panel_.show_message(notice, false);
-    if (!warnings.empty())
-        panel_.show_message(
-            warnings.size() == 1
-                ? warnings[0]
-                : warnings[0] + " (and " + std::to_string(warnings.size() - 1) + " more warnings)",
-            false);
+    show_warnings(warnings);
     return true;
+}
+
+void ViewLoop::show_warnings(const std::vector<std::string>& warnings) {
+    if (warnings.empty()) return;
+    std::string text = warnings.front();
+    if (warnings.size() == 2) text += " (and another warning)";
+    if (warnings.size() > 2)
+        text += " (and " + std::to_string(warnings.size() - 1) + " more warnings)";
+    panel_.show_message(std::move(text), false);
 }
 
 void ViewLoop::undo_or_redo(bool undoes) {

@@ -90,6 +90,20 @@ nlohmann::ordered_json picture_json(const ViewAppearance& appearance, bool is_th
     return json;
 }
 
+// Whether render takes a key that the window does not have together with the others (SceneOptions::check_usage(),
+// OutlineOptions::check_usage()).
+bool can_stand_beside(const std::string& key, const nlohmann::ordered_json& picture,
+                      bool has_style_of_file) {
+    const bool is_frozen =
+        picture.contains("silhouette-from") || picture.contains("silhouette-direction");
+    if (key == "palette") return has_style_of_file;
+    if (key == "intersections" || key == "min-length") return !is_frozen;
+    if (key == "outline" || key == "depth-step" || key == "normal-step")
+        return !is_frozen && !picture.contains("crease") && !picture.contains("hidden") &&
+               picture.value("line-color", "") != "material";
+    return true;
+}
+
 }  // namespace
 
 namespace {
@@ -173,7 +187,7 @@ void ViewSession::show(Document document, const Camera& chosen, std::vector<Ligh
     appearance.orthographic = chosen.is_orthographic();
     appearance.fov_y_deg = chosen.fov_y_deg;
     frozen_.reset();
-    scene_cameras_.clear();
+    kept_ = {};
 }
 
 void ViewSession::show(OpenedView opened) {
@@ -181,15 +195,17 @@ void ViewSession::show(OpenedView opened) {
     show(std::move(opened.document), opened.camera, std::move(opened.lights));
     if (opened.has_chosen_sun) note_chosen_sun();
     frozen_ = opened.frozen;
-    scene_cameras_ = std::move(opened.scene_cameras);
+    kept_ = {.cameras = std::move(opened.scene_cameras),
+             .picture = std::move(opened.unused_picture),
+             .style = appearance.style};
 }
 
 void ViewSession::replace(Document document) {
     const std::optional<Camera> frozen = frozen_;
-    nlohmann::ordered_json cameras = std::move(scene_cameras_);
+    KeptScene kept = std::move(kept_);
     show(std::move(document), Camera(camera), std::vector<Light>(lights));
     frozen_ = frozen;
-    scene_cameras_ = std::move(cameras);
+    kept_ = std::move(kept);
 }
 
 bool ViewSession::show_previous(double aspect) {
@@ -482,13 +498,16 @@ WrittenScene ViewSession::written_scene(ImageSize size) const {
     for (Light& light : rounded_lights) light.vector = rounded_to_float(light.vector);
     // The first one is that of the picture.
     nlohmann::ordered_json cameras{{"window", scene_camera_json(rounded)}};
-    for (const auto& [name, other] : scene_cameras_.items())
+    for (const auto& [name, other] : kept_.cameras.items())
         if (name != "window") cameras[name] = other;
+    nlohmann::ordered_json picture = picture_json(appearance, is_three_point(), frozen_, size);
+    for (const auto& [key, value] : kept_.picture.items())
+        if (can_stand_beside(key, picture, kept_.style == appearance.style)) picture[key] = value;
     return {.up = rounded_to_float(scene_up()),
             .models = model.models(),
             .lights = scene_lights_json(rounded_lights),
             .cameras = std::move(cameras),
-            .picture = picture_json(appearance, is_three_point(), frozen_, size)};
+            .picture = std::move(picture)};
 }
 
 }  // namespace rimline::tools

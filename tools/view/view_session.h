@@ -102,9 +102,12 @@ struct OpenedView {
     ViewAppearance appearance;
     std::optional<Camera> frozen;  ///< Whose silhouette is shown.
     ChosenUp up;                   ///< Of the mesh of a model that stands alone.
-    /// What else a scene file has: the size of its picture, and all of its cameras.
+    /// What else a scene file has: the size of its picture, all of its cameras, and the keys of its picture that the
+    /// window has no option for, with warnings.
     std::optional<ImageSize> size;
     nlohmann::ordered_json scene_cameras = nlohmann::ordered_json::object();
+    nlohmann::ordered_json unused_picture = nlohmann::ordered_json::object();
+    std::vector<std::string> warnings = {};
 };
 
 /// The scene of a model or of a cloud.
@@ -207,7 +210,8 @@ public:
     ViewSight sight() const;
     /// For models only. A ground is under the model by the scene's up direction, or the camera's.
     Scene scene() const;
-    /// What a scene file says of the session; `size` is that of its picture. For models only.
+    /// What a scene file says of the session; `size` is that of its picture. With what the scene file that was opened
+    /// says beyond the options of the window, unless `render` refuses it beside the rest. For models only.
     WrittenScene written_scene(ImageSize size) const;
     /// For clouds only. Moves the cloud's silhouette to silhouette_point().
     SplatScene cloud_scene() const;
@@ -222,7 +226,12 @@ private:
     Document previous_;
     std::optional<Camera> frozen_;
     std::optional<glm::dvec3> chosen_sun_;
-    nlohmann::ordered_json scene_cameras_ = nlohmann::ordered_json::object();
+    struct KeptScene {
+        nlohmann::ordered_json cameras = nlohmann::ordered_json::object();
+        nlohmann::ordered_json picture = nlohmann::ordered_json::object();
+        Style style{};  // Of the file: its palette belongs to it.
+    };
+    KeptScene kept_;  // Of the scene file that was opened.
 };
 
 }  // namespace rimline::tools

@@ -156,6 +156,22 @@ TEST_CASE("colors of files that a painted scene does not show are loaded when th
     }
 }
 
+TEST_CASE("a scene file that is opened in the window brings its size and shows its warnings") {
+    RIMLINE_OPEN_DISPLAY(display);
+    tests::ShownWindow shown(
+        {.panel = true, .picture_size = ImageSize{320, 200}, .warnings = {"first", "second"}});
+    CHECK(shown.loop->picture_size() == ImageSize{320, 200});
+    CHECK(shown.loop->message() == "first (and another warning)");
+    tests::ScratchFolder folder;
+    const std::string scene = (folder / "scene.json").string();
+    tests::write_bytes(scene, R"({"rimline_scene": 1, "models": [{"model": "shape:box"}],
+        "picture": {"palette": "sea", "size": "600x800"}})");
+    shown.loop->open({scene});
+    for (int i = 0; i < 2000 && shown.session.model().name() != scene; ++i) shown.loop->step(true);
+    CHECK(shown.loop->picture_size() == ImageSize{600, 800});
+    CHECK(shown.loop->message().find("view has no --palette") != std::string::npos);
+}
+
 TEST_CASE("keys that have nothing to do for a cloud say why") {
     RIMLINE_OPEN_DISPLAY(display);
     tests::ShownWindow shown({.panel = true, .fits = false}, /*as_points=*/true);

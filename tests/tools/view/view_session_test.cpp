@@ -487,9 +487,11 @@ TEST_CASE("a scene file that is saved again keeps its size and its other cameras
         "picture": {"size": "600x800"}})");
     ParsedView parsed = open_view({path}, [](const std::string&) { return LongCall{}; });
     CHECK(parsed.is_scene_file);
-    REQUIRE(parsed.view.size);
-    CHECK(parsed.view.size->width == 600);
-    CHECK(parsed.view.size->height == 800);
+    CHECK(parsed.view.size == ImageSize{600, 800});
+    // The size of the window is another thing.
+    CHECK(open_view({path, "--size", "90x70"}, [](const std::string&) {
+              return LongCall{};
+          }).view.size == ImageSize{600, 800});
     ViewSession session;
     session.show(std::move(parsed.view));
     const std::string again = (folder / "again.json").string();
@@ -504,4 +506,47 @@ TEST_CASE("a scene file that is saved again keeps its size and its other cameras
     // Those of another document are not its own.
     session.show(open("shape:knot"), 1.0);
     CHECK(session.written_scene({600, 800}).cameras.size() == 1);
+}
+
+TEST_CASE("what a scene file says beyond the window is kept where render takes it with the rest") {
+    const tests::ScratchFolder folder;
+    const std::string path = (folder / "scene.json").string();
+    const auto open_with = [&](const std::string& picture, std::size_t warnings) {
+        tests::write_bytes(
+            path, R"({"rimline_scene": 1, "models": [{"model": "shape:box"}], "picture": )" +
+                      picture + "}");
+        ParsedView parsed = open_view({path}, [](const std::string&) { return LongCall{}; });
+        CHECK(parsed.view.warnings.size() == warnings);
+        for (const std::string& warning : parsed.view.warnings)
+            CHECK(warning.find("view has no --") != std::string::npos);
+        ViewSession session;
+        session.show(std::move(parsed.view));
+        return session;
+    };
+    const auto written = [](const ViewSession& session) {
+        return session.written_scene({600, 800}).picture;
+    };
+    ViewSession session = open_with(
+        R"({"style": "toon", "palette": "sea", "intersections": false, "min-length": 7.5})", 3);
+    CHECK(written(session)["palette"] == "sea");
+    CHECK(written(session)["intersections"] == false);
+    CHECK(written(session)["min-length"] == 7.5);
+    session.replace(open("shape:box"));  // Its models moved.
+    CHECK(written(session)["min-length"] == 7.5);
+    session.freeze();
+    CHECK_FALSE(written(session).contains("intersections"));
+    CHECK_FALSE(written(session).contains("min-length"));
+    session.thaw();
+    CHECK(written(session).contains("min-length"));
+    session.appearance.set_style(Style::hatch);  // It has other palettes.
+    CHECK_FALSE(written(session).contains("palette"));
+    CHECK(written(session).contains("intersections"));
+    session.show(open("shape:knot"), 1.0);
+    CHECK_FALSE(written(session).contains("intersections"));
+
+    session = open_with(R"({"outline": "sobel", "depth-step": 0.01})", 2);
+    CHECK(written(session)["outline"] == "sobel");
+    session.appearance.hidden = true;
+    CHECK_FALSE(written(session).contains("outline"));
+    CHECK_FALSE(written(session).contains("depth-step"));
 }
