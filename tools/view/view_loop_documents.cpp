@@ -188,8 +188,10 @@ void ViewLoop::save(const PanelRequests::Save& save) {
         if (!may_write(save.path)) return;
         const FramedFor framed(session_, input_.is_framed, save.size);
         session_.round_to_options();
-        const std::vector<std::byte> png = encode_png(
-            renderer_.picture(session_.picture(save.size), save.size.width, save.size.height));
+        Picture picture =
+            renderer_.picture(session_.picture(save.size), save.size.width, save.size.height);
+        session_.finish().apply(picture);
+        const std::vector<std::byte> png = encode_png(picture);
         file.write({reinterpret_cast<const char*>(png.data()), png.size()});
         file.commit();
         may_replace_.insert(save.path);

@@ -17,6 +17,7 @@
 #include "engine/scene.h"
 #include "tools/options/line_style.h"
 #include "tools/options/option_types.h"
+#include "tools/options/picture_finish.h"
 #include "tools/options/scene_file.h"
 #include "tools/options/up_option.h"
 #include "tools/view/document.h"
@@ -207,6 +208,10 @@ public:
     /// picture of `exact_size` has lines with exact visibility, as `render` draws them. They take longer; throws
     /// Error{cancelled}.
     ViewPicture picture(std::optional<ImageSize> exact_size = {}, const LongCall& call = {}) const;
+    /// What is left to do with a picture that is saved, as `render` does it.
+    PictureFinish finish() const {
+        return {.is_mask = !is_cloud() && appearance.style == Style::mask};
+    }
     ViewSight sight() const;
     /// For models only. A ground is under the model by the scene's up direction, or the camera's.
     Scene scene() const;

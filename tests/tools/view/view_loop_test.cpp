@@ -2,8 +2,11 @@
 
 #include "tools/view/view_loop.h"
 
+#include <array>
 #include <chrono>
+#include <filesystem>
 #include <glm/geometric.hpp>
+#include <span>
 #include <thread>
 
 #include "tests/tools/scratch_folder.h"
@@ -170,6 +173,28 @@ TEST_CASE("a scene file that is opened in the window brings its size and shows i
     for (int i = 0; i < 2000 && shown.session.model().name() != scene; ++i) shown.loop->step(true);
     CHECK(shown.loop->picture_size() == ImageSize{600, 800});
     CHECK(shown.loop->message().find("view has no --palette") != std::string::npos);
+}
+
+TEST_CASE("a mask that is saved has black and white and nothing between") {
+    RIMLINE_OPEN_DISPLAY(display);
+    tests::ShownWindow shown({.panel = true, .picture_size = ImageSize{200, 150}});
+    shown.session.appearance.set_style(Style::mask);
+    shown.capture();
+    tests::ScratchFolder folder;
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(folder / "");
+    tests::tap_key(shown.window, GLFW_KEY_P);
+    shown.loop->step(true);
+    CHECK(shown.loop->message() == "saved view.png");
+    const std::string bytes = tests::read_bytes("view.png");
+    std::filesystem::current_path(before);
+    const Picture picture = decode_png(std::as_bytes(std::span(bytes)));
+    REQUIRE(picture.width == 200);
+    std::array<std::size_t, 256> counts{};
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) ++counts[picture.rgba[i]];
+    CHECK(counts[0] > 0);
+    CHECK(counts[255] > 0);
+    CHECK(counts[0] + counts[255] == picture.rgba.size() / 4);
 }
 
 TEST_CASE("keys that have nothing to do for a cloud say why") {
