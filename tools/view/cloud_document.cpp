@@ -22,6 +22,7 @@ PointColor srgb_bytes(const glm::vec3& linear) {
 
 CloudDocument::CloudDocument(const CloudArgument& argument, const BeginCall& begin)
     : DocumentBase(argument.model),
+      argument_(argument),
       cloud_(argument.load(begin)),
       surface_(make_part(
           begin, "finding umbrellas",

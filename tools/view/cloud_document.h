@@ -30,6 +30,8 @@ public:
     /// the work (begin_call.h). Throws Error naming the cloud, also if no point has an umbrella.
     CloudDocument(const CloudArgument& argument, const BeginCall& begin);
 
+    /// What was opened.
+    const CloudArgument& argument() const noexcept { return argument_; }
     Subject subject() const override { return drawing_.subject(); }
     const PointCloud& cloud() const noexcept { return cloud_; }
     const PointSurface& surface() const noexcept { return surface_; }
@@ -52,6 +54,7 @@ public:
     const CloudReport& report() const noexcept { return report_; }
 
 private:
+    CloudArgument argument_;
     PointCloud cloud_;
     PointSurface surface_;
     std::vector<float> weights_;

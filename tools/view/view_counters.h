@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
+#include <string_view>
 
 #include "engine/renderer.h"
 #include "tools/view/cloud_document.h"
@@ -27,5 +29,14 @@ struct ViewCounters {
     }
     float last_ms() const noexcept { return times[(next + k_times - 1) % k_times]; }
 };
+
+/// The name of a pass (PassTime) with its light counted from 1, as in the panel.
+inline std::string shown_pass_name(const std::string& name) {
+    constexpr std::string_view k_before = ", light ";
+    const std::size_t at = name.rfind(k_before);
+    if (at == std::string::npos) return name;
+    const std::size_t number = at + k_before.size();
+    return name.substr(0, number) + std::to_string(std::stoul(name.substr(number)) + 1);
+}
 
 }  // namespace rimline::tools

@@ -105,19 +105,22 @@ void ViewLoop::apply_keys() {
                 fit();
                 break;
             case GLFW_KEY_G:
-                if (has_model("there is no ground under a cloud"))
+                if (has_model(
+                        "a cloud has no ground, because it has no faces to cast shadows: open a "
+                        "model with faces"))
                     session_.appearance.ground = !session_.appearance.ground;
                 break;
             case GLFW_KEY_I:
-                if (has_model("Hough space is shown of models")) hough_.open = !hough_.open;
+                if (has_model(
+                        "Hough space is of faces, and a cloud has none: open a model with faces"))
+                    hough_.open = !hough_.open;
                 break;
             case GLFW_KEY_P: requests_.save = panel_.picture_request(); break;
             case GLFW_KEY_SPACE: requests_.play = true; break;
-            case GLFW_KEY_C:
-                if (has_model("commands of the window draw models")) requests_.copy_command = true;
-                break;
+            case GLFW_KEY_C: requests_.copy_command = true; break;
             case GLFW_KEY_X:
-                if (has_model("scene files hold models"))
+                if (has_model("scene files hold models: of a cloud, copy the command (C) or save a "
+                              "picture (P)"))
                     requests_.save_scene = panel_.scene_request();
                 break;
             case GLFW_KEY_Z:

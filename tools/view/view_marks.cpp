@@ -88,8 +88,9 @@ void draw_lights(ImDrawList& list, const ViewSession& session, const ScreenView&
 }
 
 // The silhouette point with the view pyramid of its camera; a box if the camera is orthographic.
-void draw_frozen(ImDrawList& list, const Camera& frozen, const ScreenView& view, double aspect,
-                 double reach) {
+void draw_frozen(ImDrawList& list, const Camera& frozen, const ScreenView& view,
+                 const FreeArea& area, double reach) {
+    const double aspect = area.window.x / area.window.y;
     const glm::dmat3 axes = glm::transpose(camera_from_world(frozen));
     const double half_height = frozen.is_orthographic()
                                    ? 0.5 * frozen.ortho_height
@@ -115,7 +116,8 @@ void draw_frozen(ImDrawList& list, const Camera& frozen, const ScreenView& view,
     list.AddCircleFilled(vec(*eye), 7.0f, k_halo);
     list.AddCircleFilled(vec(*eye), 5.0f, k_frozen);
     const char* text = frozen.is_orthographic() ? "silhouette direction" : "silhouette point";
-    const ImVec2 text_position = vec(*eye + glm::dvec2(11.0, -8.0));
+    const ImVec2 text_size = ImGui::CalcTextSize(text);
+    const ImVec2 text_position = vec(label_corner(*eye, {text_size.x, text_size.y}, area));
     for (const ImVec2 off : {ImVec2(-1, 0), ImVec2(1, 0), ImVec2(0, -1), ImVec2(0, 1)})
         list.AddText({text_position.x + off.x, text_position.y + off.y}, k_halo, text);
     list.AddText(text_position, k_frozen, text);
@@ -123,13 +125,18 @@ void draw_frozen(ImDrawList& list, const Camera& frozen, const ScreenView& view,
 
 }  // namespace
 
+glm::dvec2 label_corner(const glm::dvec2& mark, const glm::dvec2& size, const FreeArea& area) {
+    constexpr double k_gap = 11.0;
+    const bool has_room = mark.x + k_gap + size.x <= area.window.x - area.right;
+    return {has_room ? mark.x + k_gap : mark.x - k_gap - size.x, mark.y - 0.5 * size.y};
+}
+
 void draw_marks(const ViewSession& session, const FreeArea& area,
                 std::optional<std::size_t> chosen) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const ScreenView view(session.camera, area.window);
     if (session.frozen())
-        draw_frozen(list, *session.frozen(), view, area.window.x / area.window.y,
-                    0.5 * session.bounds().radius);
+        draw_frozen(list, *session.frozen(), view, area, 0.5 * session.bounds().radius);
     if (!session.is_cloud()) draw_lights(list, session, view, area, chosen);
 }
 

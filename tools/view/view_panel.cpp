@@ -303,8 +303,11 @@ void ViewPanel::draw_camera(const ViewSession& session, PanelRequests& requests)
         std::snprintf(text, sizeof text, "%.4g, %.4g, %.4g", v.x, v.y, v.z);
         return std::string(text);
     };
-    row("eye", vector(session.camera.eye));
-    row("target", vector(session.camera.target));
+    const auto in_file = [&](const glm::dvec3& point) {
+        return session.is_cloud() ? session.cloud().umbrellas().from_index(point) : point;
+    };
+    row("eye", vector(in_file(session.camera.eye)));
+    row("target", vector(in_file(session.camera.target)));
     if (ImGui::Button("Copy as command (C)", {-1.0f, 0.0f})) requests.copy_command = true;
 }
 
@@ -426,7 +429,7 @@ void ViewPanel::draw_picture(const ViewSession& session, PanelRequests& requests
     for (int& side : picture_size_) side = std::clamp(side, 1, static_cast<int>(k_max_image_side));
     ImGui::SameLine();
     if (ImGui::Button("Save (P)", {-1.0f, 0.0f})) requests.save = picture_request();
-    begin_model_only(session, "scene files hold models");
+    begin_model_only(session, "no scene files of clouds: use C or P");
     ImGui::SetNextItemWidth(-0.3f * ImGui::GetWindowWidth());
     ImGui::InputText("##scene", scene_path_.data(), scene_path_.size());
     ImGui::SameLine();
@@ -458,7 +461,7 @@ void draw_model_counters(const FrameReport& report) {
     for (const PassTime& pass : report.passes) {
         char time[32];
         std::snprintf(time, sizeof time, "%.2f ms", pass.time_ms);
-        row(pass.name.c_str(), time);
+        row(shown_pass_name(pass.name).c_str(), time);
     }
 }
 
@@ -496,13 +499,11 @@ void ViewPanel::draw(ViewSession& session, ViewInput& input, HoughPanel& hough,
         }
         if (section("Style")) draw_appearance(session);
         if (section("Light")) draw_lights(session, requests);
-        begin_model_only(session, "Hough space is shown of models");
+        begin_model_only(session, "a cloud has no faces for Hough space");
         ImGui::Checkbox("Hough space (I)", &hough.open);
         end_model_only();
         if (section("Camera", false)) {
-            begin_model_only(session, "commands draw models");
             draw_camera(session, requests);
-            end_model_only();
         }
         if (section("Picture", false)) draw_picture(session, requests);
         if (section("Frame", false)) draw_counters(session, status);

@@ -350,6 +350,13 @@ void ViewSession::round_to_options() {
 }
 
 std::string ViewSession::command_obstacle() const {
+    if (is_cloud()) {
+        const bool is_usual = !appearance.color && !appearance.line_color && appearance.lines &&
+                              appearance.line_width_px == k_cloud_line_width_px;
+        return is_usual ? ""
+                        : "`points` has no options for the colors of surface and ink, for lines "
+                          "and their width: save a picture (P) instead";
+    }
     const ModelDocument& model = *document_.model();
     constexpr const char* k_instead = ": save a scene file (X) instead";
     if (model.scene_up() && *model.scene_up() != camera.up)
@@ -364,7 +371,39 @@ std::string ViewSession::command_obstacle() const {
     return {};
 }
 
+// With its camera in the coordinates of the file.
+std::string ViewSession::cloud_command(ImageSize size, const std::string& output) const {
+    const UmbrellaIndex& umbrellas = cloud().umbrellas();
+    const CloudArgument& argument = cloud().argument();
+    const Camera rounded = rounded_to_float(camera);
+    const auto point = [&](const char* option, const glm::dvec3& in_index) {
+        const glm::dvec3 p = umbrellas.from_index(in_index);
+        const std::string value = exact_text(p.x) + "," + exact_text(p.y) + "," + exact_text(p.z);
+        // A value that begins with a minus sign would look like an option.
+        return std::string(" ") + option + (value.starts_with('-') ? "=" : " ") + value;
+    };
+    std::string command = "rimline points ";
+    command += quoted_for_shell((argument.model.starts_with('-') ? "./" : "") + argument.model);
+    if (argument.as_points) command += " --as-points";
+    if (argument.drop_bad) command += " --drop-bad";
+    if (argument.subdivide > 0) command += " --subdivide " + std::to_string(argument.subdivide);
+    command += point("--eye", rounded.eye) + point("--target", rounded.target);
+    command += " " + vector_argument("--up", rounded.up);
+    command += rounded.is_orthographic()
+                   ? " --ortho " + exact_text(rounded.ortho_height / umbrellas.scale())
+                   : " --fov " + exact_text(rounded.fov_y_deg);
+    if (frozen_ && frozen_->is_orthographic())
+        command +=
+            " " + vector_argument("--direction", rounded_to_float(frozen_->eye - frozen_->target));
+    else if (frozen_)
+        command += point("--from", rounded_to_float(frozen_->eye));
+    command += " --background " + quoted_for_shell(hex_of(appearance.background)) + " --size " +
+               std::to_string(size.width) + "x" + std::to_string(size.height);
+    return command + " -o " + quoted_for_shell(output);
+}
+
 std::string ViewSession::command(ImageSize size, const std::string& output) const {
+    if (is_cloud()) return cloud_command(size, output);
     const std::vector<PlacedModel>& models = document_.model()->models();
     const Camera rounded = rounded_to_float(camera);
     std::vector<Light> rounded_lights = lights;

@@ -179,7 +179,8 @@ public:
     void round_to_options();
     /// Why no command line can say what is shown, and what to do instead; empty if one can.
     std::string command_obstacle() const;
-    /// A command line that draws the picture without the window. command_obstacle() must be empty.
+    /// A command line that draws the picture without the window: of `render`, or of `points` for a cloud.
+    /// command_obstacle() must be empty.
     std::string command(ImageSize size, const std::string& output) const;
     /// Applies appearance.fov_y_deg and appearance.orthographic to the camera. Objects at the target keep
     /// their size in the picture.
@@ -225,6 +226,7 @@ private:
     // With a margin, within the area: in its middle, or moved as little as possible. Steps back where it is too large.
     enum class Place { middle, nearest };
     void bring_into(const FreeArea& area, Place place);
+    std::string cloud_command(ImageSize size, const std::string& output) const;
     glm::dvec3 level_direction(const glm::dvec3& towards_viewer) const;
 
     Document document_;

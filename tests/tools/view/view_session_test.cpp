@@ -278,6 +278,39 @@ TEST_CASE(
     CHECK(session.command_obstacle().empty());
 }
 
+TEST_CASE("the command of a cloud has its camera and its silhouette as the file has coordinates") {
+    ViewSession session;
+    session.show(open_cloud("shape:torus:2000"), 1.5);
+    const UmbrellaIndex& umbrellas = session.cloud().umbrellas();
+    session.freeze();
+    orbit(session.camera, {-0.8, 0.3});
+    pan(session.camera, {0.1, 0.2});
+    session.round_to_options();
+    CHECK(session.command_obstacle().empty());
+    std::string command = session.command({320, 240}, "a.png");
+    CHECK(command.starts_with("rimline points shape:torus:2000 --as-points --eye"));
+    CHECK(command.ends_with(" --background '#f8f4ec' --size 320x240 -o a.png"));
+    // As the options are read.
+    const auto in_index = [&](const std::string& option) {
+        const std::size_t at = command.find(" " + option);
+        REQUIRE(at != std::string::npos);
+        const std::string value = command.substr(at + option.size() + 2);
+        return umbrellas.to_index(parse_exact_point(option, value.substr(0, value.find(' '))));
+    };
+    CHECK(in_index("--eye") == glm::vec3(session.camera.eye));
+    CHECK(in_index("--target") == glm::vec3(session.camera.target));
+    CHECK(in_index("--from") == session.silhouette_point().xyz());
+    session.appearance.orthographic = true;
+    session.apply_lens();
+    session.freeze();
+    command = session.command({320, 240}, "a.png");
+    CHECK(command.find(" --direction") != std::string::npos);
+    CHECK(command.find(" --ortho " + exact_text(session.camera.ortho_height / umbrellas.scale())) !=
+          std::string::npos);
+    session.appearance.line_color = glm::vec3(0.5f);
+    CHECK(session.command_obstacle().find("(P)") != std::string::npos);
+}
+
 TEST_CASE("what no command says is refused with a word of what says it") {
     ViewSession session;
     session.show(open("shape:knot"), 1.0);
