@@ -1,7 +1,7 @@
 #pragma once
 
-// What the user has changed of models, lights and look, to be undone and done again. Cameras move too often to be a part
-// of it.
+// What the user has changed of models, lights and look, to be undone and done again. Cameras move too often to be a
+// part of it.
 
 #include <optional>
 #include <utility>

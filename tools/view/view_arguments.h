@@ -52,9 +52,9 @@ struct ParsedView {
     OpenedView view;
     bool is_scene_file = false;
 };
-/// Opens what the arguments of a command line say, the subcommand left out. `subdivided`, unless it is empty: the models
-/// of the arguments, which say how each is subdivided. Throws UsageError for arguments that are not understood, and what
-/// ViewArguments throws.
+/// Opens what the arguments of a command line say, the subcommand left out. `subdivided`, unless it is empty: the
+/// models of the arguments, which say how each is subdivided. Throws UsageError for arguments that are not understood,
+/// and what ViewArguments throws.
 ParsedView open_view(std::vector<std::string> arguments, const BeginCall& begin,
                      std::span<const PlacedModel> subdivided = {});
 

@@ -13,8 +13,8 @@ namespace rimline::tools {
 class ViewInput {
 public:
     /// True: dragging turns the view, and W, A, S, D, Q and E move the camera. False: dragging orbits around
-    /// the document's center or, after the user has panned or flown, around what is in the middle of the free area; with
-    /// the right or middle button or with Shift it pans. The wheel zooms in both modes.
+    /// the document's center or, after the user has panned or flown, around what is in the middle of the free area;
+    /// with the right or middle button or with Shift it pans. The wheel zooms in both modes.
     bool flies = false;
 
     /// Whether the picture shows the whole document, also while it is orbited, until the user pans, zooms or flies.

@@ -64,8 +64,8 @@ struct ViewEdit {
     std::optional<Camera> frozen;
     ViewAppearance appearance;
 
-    /// A chosen sun equals another one: it follows the camera, which is no edit. What follows from the models, scene_up,
-    /// is not compared.
+    /// A chosen sun equals another one: it follows the camera, which is no edit. What follows from the models,
+    /// scene_up, is not compared.
     bool operator==(const ViewEdit& other) const;
 };
 
@@ -151,8 +151,8 @@ public:
     /// Moves the camera, but does not turn it, so that the whole document, with a ground its shadow too, is in the
     /// middle of a rectangle of the picture. O(positions).
     void fit(const FreeArea& area);
-    /// Moves the camera by as little as is needed for the whole document to be within the area, with the margin of fit().
-    /// It never comes nearer, so that nothing pumps while the camera turns. O(positions).
+    /// Moves the camera by as little as is needed for the whole document to be within the area, with the margin of
+    /// fit(). It never comes nearer, so that nothing pumps while the camera turns. O(positions).
     void keep_whole(const FreeArea& area);
     /// The point in the middle of the area that is as far from the eye as the target.
     glm::dvec3 middle_of(const FreeArea& area) const;
