@@ -249,7 +249,10 @@ void ViewSession::bring_into(const FreeArea& area, Place place) {
     const glm::dvec2 middle(area.left + 0.5 * size.x, 0.5 * size.y);
     for (int step = 0; step < k_steps; ++step) {
         const std::optional<PictureBox> box = box_of(camera, document_.subject(), area.window);
-        if (!box) return;
+        if (!box) {  // A part lies behind the eye.
+            zoom(camera, 2.0, 0.0, 1e3 * bounds().radius);
+            continue;
+        }
         const glm::dvec2 sides = k_picture_margin * (box->high - box->low);
         glm::dvec2 shift = middle - 0.5 * (box->low + box->high);
         if (place == Place::nearest) {

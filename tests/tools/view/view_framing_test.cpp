@@ -96,6 +96,17 @@ TEST_CASE(
             CHECK(height > 1.3 * first);
             CHECK_FALSE(was_whole);  // It would not be without that.
         }
+    // One turn at once, after which the eye would be within it.
+    session.appearance.orthographic = false;
+    session.appearance.fov_y_deg = 110.0;
+    session.apply_lens();
+    session.look_from({0, 0.1, 1});
+    const FreeArea area{.window = {1280, 860}, .left = 320};
+    session.fit(area);
+    orbit_about(session.camera, session.bounds().center, {1.57, 0.0});
+    REQUIRE(glm::distance(session.camera.eye, session.bounds().center) < 5.5);
+    session.keep_whole(area);
+    CHECK(session.is_whole(area));
 }
 
 TEST_CASE("what is in the middle between panels is as far as the target") {
