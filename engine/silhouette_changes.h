@@ -41,7 +41,9 @@ struct BufferHandle {
 
 /// The silhouette of one instance in device memory, as the frame recorded last leaves it: for a caller's own commands
 /// after that frame. The frame makes it visible to draws that read it as indirect arguments, and to compute, vertex,
-/// geometry and fragment shaders as storage; for other uses, as a copy or an index buffer, add a barrier after
+/// geometry and fragment shaders as storage; for other uses, as a copy or an index buffer, add a barrier after compute
+/// shaders and copies. The next frame that changes them waits for reads as indirect arguments, by copies, and by
+/// compute, vertex and geometry shaders. For reads in other stages, as in fragment shaders, add a barrier before its
 /// compute shaders and copies. The buffers stay the same while Renderer keeps the silhouette (Renderer::render()).
 struct SilhouetteBuffers {
     HomogeneousPoint point;   ///< The silhouette point, in the instance's coordinates.

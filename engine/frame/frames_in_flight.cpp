@@ -182,6 +182,11 @@ void FramesInFlight::record_silhouettes(Commands commands, RecordedFrame& frame)
     const PassLabel label(commands, "silhouettes");
     if (!frame.deformed.is_empty())
         frame.deformed.record(context_, commands, instances_.deform_passes());
+    // Where nothing changes, no draw waits for the frame before.
+    if (std::ranges::none_of(frame.silhouettes, [](const TrackedSilhouette* silhouette) {
+            return silhouette->stream().has_changes();
+        }))
+        return;
     ChangeStream::record_before(commands);
     for (const TrackedSilhouette* silhouette : frame.silhouettes)
         silhouette->stream().record(commands, scatter_);

@@ -33,10 +33,18 @@ static_assert(sizeof(ScatterConstants) == 56);
 
 constexpr std::uint32_t k_group_size = 64;  // As in shaders/scatter.comp.
 
+// The stages that may read, for which the changes are made visible.
 constexpr StageAccess k_readers{
     VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT |
         VK_PIPELINE_STAGE_2_PRE_RASTERIZATION_SHADERS_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
     VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT};
+// The stages that the next changes wait for. None of Rimline's fragment shaders reads a stream; with fragment shaders
+// among them, the vertex shaders of each frame would wait for all fragments of the frame before.
+constexpr StageAccess k_earlier_readers{
+    VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT |
+        VK_PIPELINE_STAGE_2_PRE_RASTERIZATION_SHADERS_BIT | VK_PIPELINE_STAGE_2_COPY_BIT,
+    VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT |
+        VK_ACCESS_2_TRANSFER_READ_BIT};
 constexpr StageAccess k_writers{
     VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_COPY_BIT,
     VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT};
@@ -130,6 +138,11 @@ void ChangeStream::write(const void* data, std::uint64_t size_bytes) {
 
 bool ChangeStream::apply(const ChangeSet& changes) {
     if (!has_state_ || changes.sequence != sequence_ + 1) return false;
+    if (changes.slots.empty() && changes.words.empty() &&
+        changes.silhouette_size == silhouette_size_) {
+        sequence_ = changes.sequence;
+        return true;
+    }
     const std::uint64_t full =
         std::uint64_t{4} * changes.silhouette_size + std::uint64_t{4} * size_.words;
     if (used_ + changes.slots.size_bytes() + changes.words.size_bytes() > full) return false;
@@ -202,7 +215,7 @@ void ChangeStream::record(Commands commands, const ScatterPass& pass) const {
 }
 
 void ChangeStream::record_before(Commands commands) {
-    record_barrier(commands, k_readers, k_writers);
+    record_barrier(commands, k_earlier_readers, k_writers);
 }
 
 void ChangeStream::record_after(Commands commands) {

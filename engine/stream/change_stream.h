@@ -84,8 +84,13 @@ public:
     void resend(std::uint64_t sequence, std::span<const EdgeId> silhouette,
                 std::span<const std::uint32_t> face_words);
 
+    /// Whether anything was queued in this frame.
+    bool has_changes() const noexcept { return !batches_.empty(); }
+
     /// Records copies and scatters of the queued changes. Call record_before() before it and record_after()
-    /// after it, once for all streams of a frame.
+    /// after it, once for all streams of a frame; none of the three is needed where no stream has changes.
+    /// record_before() waits for reads as indirect arguments, by copies, and by all shaders but those of
+    /// fragments. record_after() makes the changes visible to indirect draws and to all shaders.
     void record(Commands commands, const ScatterPass& pass) const;
     static void record_before(Commands commands);
     static void record_after(Commands commands);

@@ -35,7 +35,11 @@ constexpr StageAccess k_consumers{
         VK_PIPELINE_STAGE_2_COPY_BIT,
     VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT |
         VK_ACCESS_2_TRANSFER_READ_BIT};
-constexpr StageAccess k_before{k_consumers.stages, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+// Without fragment shaders, as change streams (change_stream.cpp).
+constexpr StageAccess k_before{
+    VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_PRE_RASTERIZATION_SHADERS_BIT |
+        VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_COPY_BIT,
+    VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
 
 std::vector<gpu::EdgeFaces> edge_faces(const Mesh& mesh) {
     std::vector<gpu::EdgeFaces> faces;

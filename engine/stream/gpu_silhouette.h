@@ -31,7 +31,7 @@ namespace rimline {
 /// The faces of a mesh's edges, for any number of silhouettes of it. 8 bytes an edge.
 class SilhouetteTopology {
 public:
-    /// Uploads and waits. `mesh` is not needed afterwards. Memory counts in `budget`, which must outlive it;
+    /// Adds its buffers to `batch`. `mesh` is not needed afterwards. Memory counts in `budget`, which must outlive it;
     /// null for none. Messages name `model`. Throws Error{too_large} naming the budget or the device's
     /// limit.
     SilhouetteTopology(UploadBatch& batch, const Mesh& mesh, MemoryBudget* budget = nullptr,
@@ -140,9 +140,9 @@ public:
     /// without it face bits of moving faces would not be the CPU's.
     explicit GpuSilhouettePass(const DeviceContext& context, std::uint32_t groups_a_row = 65535);
 
-    /// Records all runs, each silhouette at most once. Waits for earlier reads of the silhouettes, and makes
-    /// the results visible to later draws and copies. Positions must be visible to compute shaders.
-    /// O(faces + edges) a silhouette, independent of the changes.
+    /// Records all runs, each silhouette at most once. Waits for earlier reads of the silhouettes, but those of
+    /// fragment shaders, and makes the results visible to later draws and copies. Positions must be visible to compute
+    /// shaders. O(faces + edges) a silhouette, independent of the changes.
     void record(Commands commands, std::span<const SilhouetteRun> runs) const;
 
 private:

@@ -93,6 +93,52 @@ TEST_CASE("slots, face bits and draw arguments equal the tracker's after every s
     }
 }
 
+VkMemoryBarrier2 stream_barrier{};  // The last one.
+
+VKAPI_ATTR void VKAPI_CALL note_stream_barrier(VkCommandBuffer, const VkDependencyInfo* info) {
+    REQUIRE(info->memoryBarrierCount == 1);
+    stream_barrier = info->pMemoryBarriers[0];
+}
+
+TEST_CASE(
+    "changes wait for all earlier reads but those of fragments, and are visible to these too") {
+    DeviceFunctions functions{};
+    functions.CmdPipelineBarrier2 = &note_stream_barrier;
+    const Commands commands(functions, VK_NULL_HANDLE);
+    constexpr VkPipelineStageFlags2 k_reading = VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT |
+                                                VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT |
+                                                VK_PIPELINE_STAGE_2_PRE_RASTERIZATION_SHADERS_BIT;
+    constexpr VkPipelineStageFlags2 k_fragments = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+    constexpr VkPipelineStageFlags2 k_writing =
+        VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_COPY_BIT;
+    ChangeStream::record_before(commands);
+    // A caller's copies are reads of the stream.
+    CHECK(stream_barrier.srcStageMask == (k_reading | VK_PIPELINE_STAGE_2_COPY_BIT));
+    CHECK(stream_barrier.dstStageMask == k_writing);
+    ChangeStream::record_after(commands);
+    CHECK(stream_barrier.srcStageMask == k_writing);
+    CHECK(stream_barrier.dstStageMask == (k_reading | k_fragments));
+}
+
+TEST_CASE("a change set without changes queues nothing") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Mesh mesh(make_built_in_shape("sphere", 2000));
+    const HoughOctree octree(mesh);
+    const HomogeneousPoint point = HomogeneousPoint::viewpoint({3.0f, 0.0f, 0.0f});
+    SilhouetteTracker tracker(octree, point);
+    ChangeStream stream(gpu->context(), mesh, 1);
+    CHECK_FALSE(stream.has_changes());
+    stream.begin_frame(0);
+    stream.resend(tracker.sequence(), tracker.silhouette(), tracker.face_words());
+    CHECK(stream.has_changes());
+    stream.begin_frame(0);
+    CHECK_FALSE(stream.has_changes());
+    REQUIRE(stream.apply(tracker.move_to(point)));
+    CHECK_FALSE(stream.has_changes());
+    REQUIRE(stream.apply(tracker.move_to(HomogeneousPoint::viewpoint({3.0f, 0.05f, 0.0f}))));
+    CHECK(stream.has_changes());
+}
+
 TEST_CASE("several change sets of one frame end in the last one's state") {
     RIMLINE_OPEN_GPU(gpu);
     const ScatterPass pass(gpu->context());
