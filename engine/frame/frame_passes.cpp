@@ -278,13 +278,22 @@ void FramePasses::record_light(Commands commands, const Frame& frame, std::size_
     frame.clock.end_pass(commands, "surfaces", light);
 }
 
+// Whether an instance has outlines, which are drawn or found between pixels.
+bool FramePasses::draws_lines(const DrawList& list) const {
+    return std::ranges::any_of(list.instances, [&](const DrawnInstance& instance) {
+        return instance.has_lines && (sobel_pass_.has_value() || !instance.inks.empty());
+    });
+}
+
 void FramePasses::record_lines(Commands commands, const Frame& frame) const {
+    const bool has_grid = frame.view.scene.palette.grid_strength > 0.0f;
+    if (!has_grid && !draws_lines(frame.list)) return;
     const PassLabel label(commands, "lines");
     const ConditionalCommands conditional(commands, frame.target.condition);
     const Palette& palette = frame.view.scene.palette;
     const DrawList& list = frame.list;
     targets_->begin_lines(commands, frame.area);
-    if (palette.grid_strength > 0.0f)
+    if (has_grid)
         ink_pass_.record_grid(commands, glm::vec4(palette.grid, palette.grid_strength),
                               targets_->size(), targets_->scale());
     if (sobel_pass_) record_sobel(commands, frame);
@@ -303,7 +312,7 @@ void FramePasses::record_sobel(Commands commands, const Frame& frame) const {
 
 // The surfaces' alpha is opacity here, so the coverage of each color has its own scope.
 void FramePasses::record_layer_lines(Commands commands, const Frame& frame) const {
-    if (back_pass_) return;  // They are surfaces.
+    if (!draws_lines(frame.list)) return;  // Those of backs are surfaces.
     const PassLabel label(commands, "lines");
     const ConditionalCommands conditional(commands, frame.target.condition);
     for (std::size_t ink = 0; ink < frame.list.inks.size(); ++ink) {

@@ -84,6 +84,7 @@ private:
     bool has_shadow_colors() const noexcept { return sampling_.samples == 1; }
     CompositeKind composite_kind(const Scene& scene, const PictureTarget& target) const;
     bool draws_edges(const Scene& scene, const SceneInstance& instance) const;
+    bool draws_lines(const DrawList& list) const;
     bool draws_segments(const Scene& scene, const SceneInstance& instance) const;
     // The color that surfaces are drawn over.
     static glm::vec3 under_surfaces(const Frame& frame);

@@ -117,8 +117,9 @@ std::uint32_t fitting_scale(const DeviceContext& context, VkExtent2D size, std::
     const auto fits = [&](std::uint64_t scale) {
         const std::uint64_t width = scale * size.width;
         const std::uint64_t height = scale * size.height;
-        const std::uint64_t limit = context.limits.maxImageDimension2D;
-        return width <= limit && height <= limit && width * height * pixel_bytes <= memory / 2;
+        const VkExtent2D limit = max_attachment_extent(context.limits);
+        return width <= limit.width && height <= limit.height &&
+               width * height * pixel_bytes <= memory / 2;
     };
     std::uint32_t scale = wanted;
     while (scale > 1 && !fits(scale)) --scale;
@@ -244,16 +245,18 @@ void RenderTargets::begin_picture(Commands commands, const PictureTarget& target
                                   const DrawnArea& area) {
     const bool is_whole = area.rect.extent.width == target.extent.width &&
                           area.rect.extent.height == target.extent.height;
+    const bool is_over = target.use == PictureUse::over;
     VkRenderingAttachmentInfo color =
-        color_attachment(target.view, target.use == PictureUse::over ? VK_ATTACHMENT_LOAD_OP_LOAD
+        color_attachment(target.view, is_over    ? VK_ATTACHMENT_LOAD_OP_LOAD
                                       : is_whole ? VK_ATTACHMENT_LOAD_OP_DONT_CARE
                                                  : VK_ATTACHMENT_LOAD_OP_CLEAR);
     color.clearValue.color = area.around;
     const VkOffset2D corner = target.corner;
     const VkRect2D drawn{{corner.x + area.rect.offset.x, corner.y + area.rect.offset.y},
                          area.rect.extent};
-    begin_rendering(commands, target.extent, {corner, target.extent}, drawn, 1.0f, {&color, 1},
-                    nullptr, nullptr, corner);
+    const VkRect2D area_of_scope = is_over ? drawn : VkRect2D{corner, target.extent};
+    begin_rendering(commands, target.extent, area_of_scope, drawn, 1.0f, {&color, 1}, nullptr,
+                    nullptr, corner);
 }
 
 void RenderTargets::begin_coverage(Commands commands, const DrawnArea& area) const {
@@ -264,8 +267,9 @@ void RenderTargets::begin_coverage(Commands commands, const DrawnArea& area) con
 }
 
 void RenderTargets::begin_shapes(Commands commands, const DrawnArea& area) const {
-    const VkRenderingAttachmentInfo depth =
+    VkRenderingAttachmentInfo depth =
         depth_attachment(shapes_depth_.attachment_view(), VK_ATTACHMENT_LOAD_OP_CLEAR);
+    depth.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;  // Shapes hold the depth that is read.
     const VkRenderingAttachmentInfo color =
         color_attachment(shapes_.attachment_view(), VK_ATTACHMENT_LOAD_OP_CLEAR);
     const VkRect2D drawn = in_pass(area.rect);
@@ -303,7 +307,8 @@ void RenderTargets::record_before_backdrop(Commands commands, const BackdropDept
     // Resolves of depth write as color attachments do.
     const StageAccess written = k_drawing | uses_of(VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL) |
                                 in_stages(backdrop.earlier_stages);
-    record_barrier(commands, written, k_sampling, {{backdrop, backdrop.layout, backdrop.layout}});
+    // It keeps its layout, which may be of the depth alone: an image barrier would name that of the stencil too.
+    record_barrier(commands, written, k_sampling);
 }
 
 void RenderTargets::record_before_surfaces(Commands commands) const {

@@ -31,11 +31,6 @@ struct ImageTransition {
           range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, target.layer, 1},
           old_layout(from),
           new_layout(to) {}
-    ImageTransition(const BackdropDepth& backdrop, VkImageLayout from, VkImageLayout to)
-        : image(backdrop.image),
-          range{depth_aspects(backdrop.format), 0, 1, backdrop.layer, 1},
-          old_layout(from),
-          new_layout(to) {}
 
     VkImage image;
     VkImageSubresourceRange range;

@@ -23,6 +23,24 @@ VkMemoryPropertyFlags wanted_properties(BufferPlace place) {
     return 0;
 }
 
+void check_extent(const VkPhysicalDeviceLimits& limits, const ImageDescription& description,
+                  const std::string& what) {
+    const VkExtent2D extent = description.extent;
+    const auto check = [&](std::uint32_t length, std::uint32_t limit, const char* name) {
+        if (length <= limit) return;
+        throw Error(ErrorCode::too_large, what + " of " + std::to_string(extent.width) + "x" +
+                                              std::to_string(extent.height) +
+                                              " exceeds the device's " + name + " of " +
+                                              std::to_string(limit));
+    };
+    check(std::max(extent.width, extent.height), limits.maxImageDimension2D, "maxImageDimension2D");
+    constexpr VkImageUsageFlags k_drawn =
+        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+    if ((description.usage & k_drawn) == 0) return;
+    check(extent.width, limits.maxFramebufferWidth, "maxFramebufferWidth");
+    check(extent.height, limits.maxFramebufferHeight, "maxFramebufferHeight");
+}
+
 }  // namespace
 
 Buffer::Buffer(const DeviceContext& context, VkDeviceSize size, BufferPlace place,
@@ -106,14 +124,14 @@ VkImageAspectFlags Image::aspects() const noexcept {
 }
 
 Image::Image(const DeviceContext& context, const ImageDescription& description,
+VkExtent2D max_attachment_extent(const VkPhysicalDeviceLimits& limits) noexcept {
+    return {std::min(limits.maxImageDimension2D, limits.maxFramebufferWidth),
+            std::min(limits.maxImageDimension2D, limits.maxFramebufferHeight)};
+}
+
              const std::string& what)
     : description_(description) {
-    const std::uint32_t limit = context.limits.maxImageDimension2D;
-    if (description.extent.width > limit || description.extent.height > limit)
-        throw Error(ErrorCode::too_large, what + " of " + std::to_string(description.extent.width) +
-                                              "x" + std::to_string(description.extent.height) +
-                                              " exceeds the device's maxImageDimension2D of " +
-                                              std::to_string(limit));
+    check_extent(context.limits, description, what);
     const std::array families{context.queue_family, context.transfer_family};
     const bool is_shared = description.is_shared && context.queue_family != context.transfer_family;
     const VkImageCreateInfo info{

@@ -106,6 +106,9 @@ struct ImageDescription {
 class Image {
 public:
     Image() = default;
+/// The limits of images that are drawn into. A viewport may be as large (VkPhysicalDeviceLimits).
+VkExtent2D max_attachment_extent(const VkPhysicalDeviceLimits& limits) noexcept;
+
     /// Throws Error{too_large} naming `what` and the limit if the device cannot make it.
     Image(const DeviceContext& context, const ImageDescription& description,
           const std::string& what);

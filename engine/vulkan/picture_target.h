@@ -46,7 +46,9 @@ struct BackdropDepth {
     VkFormat format = VK_FORMAT_UNDEFINED;
     std::uint32_t samples = 1;
     std::uint32_t layer = 0;
-    /// Stages of yours that wrote it and that the frame must wait for, besides attachments and copies.
+    /// Stages of yours that wrote it and that the frame must wait for, besides attachments and copies. The frame reads
+    /// it in fragment shaders: order your next write after these (VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT) by a
+    /// barrier of yours. The frame has none for it.
     VkPipelineStageFlags2 earlier_stages = VK_PIPELINE_STAGE_2_NONE;
     /// While the frame reads it; the frame neither writes it nor moves it to another layout.
     VkImageLayout layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL;
