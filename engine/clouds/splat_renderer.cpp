@@ -11,6 +11,7 @@
 #include "engine/picture_readback.h"
 #include "engine/vulkan/commands.h"
 #include "engine/vulkan/conditional_commands.h"
+#include "engine/vulkan/frame_marks.h"
 #include "engine/vulkan/uploads.h"
 
 namespace rimline {
@@ -61,10 +62,16 @@ struct SplatRenderer::State {
               {.color = k_surface_format, .depth_stencil = k_depth_stencil_format, .samples = 1}),
           composite_pass(context),
           strokes(frames_in_flight),
+          marks(context, frames_in_flight),
+          numbers(frames_in_flight),
           uploads(context) {
         RIMLINE_CHECK(frames_in_flight > 0);
     }
 
+    bool is_done(std::uint32_t slot) const noexcept {
+        return numbers[slot] == 0 || marks.has(slot, numbers[slot]);
+    }
+    void forget_recorded() noexcept { std::ranges::fill(numbers, 0); }
     bool has_targets_for(VkExtent2D size) const;
     bool has(const SplatCloud* cloud) const;
     void prepare_targets(VkExtent2D size);
@@ -79,6 +86,9 @@ struct SplatRenderer::State {
     std::unique_ptr<Uploaded> uploaded;
     std::vector<Retired> retired;
     std::vector<Buffer> strokes;  // Of each frame in flight.
+    FrameMarks marks;
+    std::vector<std::uint64_t>
+        numbers;  // Of the last frame of each slot; 0: there is none to wait for.
     std::uint64_t recorded = 0;
     Uploads uploads;  // Declared after the clouds: its destructor waits for their uploads.
 };
@@ -93,6 +103,8 @@ void SplatRenderer::set_scale(std::uint32_t scale) noexcept {
     state_->wanted_scale = scale == 0 ? k_default_scale : scale;
 }
 
+void SplatRenderer::forget_recorded() noexcept { state_->forget_recorded(); }
+
 bool SplatRenderer::State::has_targets_for(VkExtent2D size) const {
     return targets && targets->size().width == size.width &&
            targets->size().height == size.height &&
@@ -101,6 +113,12 @@ bool SplatRenderer::State::has_targets_for(VkExtent2D size) const {
 
 void SplatRenderer::State::prepare_targets(VkExtent2D size) {
     if (has_targets_for(size)) return;
+    for (std::uint32_t slot = 0; slot < frames_in_flight; ++slot)
+        if (!is_done(slot))
+            throw Error(
+                ErrorCode::bad_input,
+                "prepare(): a target of another size or scale needs other images, while frames "
+                "that were recorded before still use these: wait for them");
     targets.reset();  // Frees their memory before the new ones are made.
     const std::uint32_t scale = fitting_scale(context, size, wanted_scale, 1);
     auto made = std::make_unique<RenderTargets>(
@@ -152,8 +170,9 @@ void SplatRenderer::record(VkCommandBuffer into, VkCommandBuffer picture_into,
     RIMLINE_CHECK(state.has_targets_for(target.extent) && state.has(scene.cloud));
     const CompositeKind kind{target.format, state.targets->scale()};
     RIMLINE_CHECK(state.composite_pass.is_prepared(kind));
-    // The GPU is done with the frame that had this slot before.
-    Buffer& strokes = state.strokes[state.recorded % state.frames_in_flight];
+    const auto slot = static_cast<std::uint32_t>(state.recorded % state.frames_in_flight);
+    RIMLINE_CHECK(state.is_done(slot));
+    Buffer& strokes = state.strokes[slot];
     if (state.uploads.is_done())
         std::erase_if(state.retired, [&](const State::Retired& retired) {
             return retired.last_frame + state.frames_in_flight <= state.recorded + 1;
@@ -162,7 +181,7 @@ void SplatRenderer::record(VkCommandBuffer into, VkCommandBuffer picture_into,
     if (strokes.size() < std::max<std::size_t>(bytes, 4))
         strokes = Buffer(state.context, bytes + bytes / 2, BufferPlace::upload, "the lines");
     if (bytes > 0) std::memcpy(strokes.mapped(), scene.strokes.data(), bytes);
-    ++state.recorded;
+    state.numbers[slot] = ++state.recorded;
 
     state.targets->record_before_surfaces(commands);
     const DrawnArea area = DrawnArea::whole(target.extent);
@@ -182,11 +201,14 @@ void SplatRenderer::record(VkCommandBuffer into, VkCommandBuffer picture_into,
         commands->CmdEndRendering(commands);
     }
     state.targets->record_before_picture(picture, target);
-    const ConditionalCommands conditional(picture, target.condition);
-    RenderTargets::begin_picture(picture, target, area);
-    state.composite_pass.record(picture, kind, glm::vec3(0.0f), target.corner);
-    picture->CmdEndRendering(picture);
+    {
+        const ConditionalCommands conditional(picture, target.condition);
+        RenderTargets::begin_picture(picture, target, area);
+        state.composite_pass.record(picture, kind, glm::vec3(0.0f), target.corner);
+        picture->CmdEndRendering(picture);
+    }
     RenderTargets::record_after_picture(picture, target);
+    state.marks.record(picture, slot, state.recorded);
 }
 
 Picture SplatRenderer::render(const SplatScene& scene, std::uint32_t width, std::uint32_t height) {
@@ -200,13 +222,18 @@ Picture SplatRenderer::render(const SplatScene& scene, std::uint32_t width, std:
     if (state.uploaded) state.uploads.wait();
     state.uploaded.reset();
     const UploadPoint uploaded = prepare(scene, target);
-    run_commands(
-        state.context,
-        [&](Commands commands) {
-            record(commands, scene, target);
-            record_read_back(commands, image.handle(), size, pixels);
-        },
-        uploaded);
+    try {
+        run_commands(
+            state.context,
+            [&](Commands commands) {
+                record(commands, scene, target);
+                record_read_back(commands, image.handle(), size, pixels);
+            },
+            uploaded);
+    } catch (...) {
+        state.forget_recorded();  // Its frame has ended, or never began.
+        throw;
+    }
     return read_picture(pixels, size);
 }
 

@@ -60,19 +60,23 @@ public:
     /// picture. No recorded frame may be running.
     Picture render(const SplatScene& scene, std::uint32_t width, std::uint32_t height);
 
-    /// Makes what record() needs, as Renderer::prepare(): call it when the scene has another cloud or
-    /// revision, or when the target or the scale changes. A cloud is identified by its address and revision:
-    /// it must not be replaced by another at the same address. Throws as render().
+    /// Makes what record() needs, as Renderer::prepare(): call it when the scene has another cloud or revision, or when
+    /// the target or the scale changes. A cloud is identified by its address and revision: it must not be replaced by
+    /// another at the same address. Throws as render(), and Error{bad_input} if a target of another size or scale needs
+    /// other images while recorded frames still use these; nothing has changed then.
     [[nodiscard]] UploadPoint prepare(const SplatScene& scene, const PictureTarget& target);
 
-    /// Records a frame into `commands`, as Renderer::record(). Everything must be prepared. Throws
-    /// Error{too_large} if there is no memory for the strokes; `commands` must then not be submitted.
+    /// Records a frame into `commands`, as Renderer::record(). Everything must be prepared, and the GPU be done with
+    /// the frame recorded frames_in_flight before (RIMLINE_CHECK). Throws Error{too_large} if there is no memory for
+    /// the strokes; `commands` must then not be submitted.
     void record(VkCommandBuffer commands, const SplatScene& scene, const PictureTarget& target) {
         record(commands, commands, scene, target);
     }
     /// The same in two parts, as Renderer's.
     void record(VkCommandBuffer commands, VkCommandBuffer picture, const SplatScene& scene,
                 const PictureTarget& target);
+    /// For command buffers that were dropped, and after a lost device: recorded frames that are not done count as done.
+    void forget_recorded() noexcept;
     /// Sets SplatRendererOptions::scale of the following frames.
     void set_scale(std::uint32_t scale) noexcept;
 

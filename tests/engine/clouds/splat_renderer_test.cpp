@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/picture_readback.h"
+#include "engine/vulkan/commands.h"
 #include "tests/engine/support/gpu_fixture.h"
 #include "tests/engine/support/test_pictures.h"
 
@@ -201,6 +203,33 @@ TEST_CASE("Discs are lit from the camera unless they say otherwise") {
     CHECK(middle(0x0000ffu, 0.0) == doctest::Approx(1.0));
     CHECK(middle(0x0000ffu, 60.0) == doctest::Approx(0.35 + 0.65 * 0.5).epsilon(0.02));
     CHECK(middle(k_red, 60.0) == doctest::Approx(1.0));
+}
+
+TEST_CASE("Images of another size are refused while a recorded frame may use the present ones") {
+    RIMLINE_OPEN_GPU(gpu);
+    const DeviceContext& context = gpu->context();
+    SplatRenderer renderer(context, {.scale = 1});
+    const TestScene scene = scene_of({});
+    const Image small = make_picture_image(context, {16, 16});
+    const Image large = make_picture_image(context, {32, 16});
+    (void)renderer.prepare(scene, picture_target(small));
+    const OwnedCommandPool pool = make_command_pool(context, "a test", context.queue_family);
+    const Commands dropped = begin_commands(context, make_commands(context, pool));
+    renderer.record(dropped, scene, picture_target(small));
+    CHECK_THROWS_WITH_AS((void)renderer.prepare(scene, picture_target(large)),
+                         doctest::Contains("wait for them"), Error);
+    CHECK_NOTHROW((void)renderer.prepare(scene, picture_target(small)));
+    renderer.forget_recorded();
+    CHECK_NOTHROW((void)renderer.prepare(scene, picture_target(large)));
+    // One that has ended holds nothing up.
+    for (const Image* image : {&large, &small, &large}) {
+        const UploadPoint uploaded = renderer.prepare(scene, picture_target(*image));
+        run_commands(
+            context,
+            [&](Commands commands) { renderer.record(commands, scene, picture_target(*image)); },
+            uploaded);
+    }
+    CHECK(renderer.render(scene, 8, 8).width == 8);
 }
 
 TEST_CASE("Nothing is the background, in any size") {
