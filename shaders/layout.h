@@ -7,6 +7,9 @@
 // Buffers are accessed by address, so only device memory limits their size. Descriptors are used for
 // sampled images, and for data that all invocations of a draw read equally. A load by address is
 // executed per invocation, which is slow on a CPU device.
+//
+// Lists of records of 16 bytes begin at multiples of 16: at the begin of a buffer (engine/vulkan/memory.h), or a
+// number of records after it.
 
 #ifdef __cplusplus
 #include <cstdint>
@@ -103,13 +106,13 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Tri
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer CornerNormals {
     vec3 at[];
 };
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer EdgeRecords {
+layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer EdgeRecords {
     EdgeRecord at[];
 };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer FacePairRecords {
     FacePairRecord at[];
 };
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Planes { vec4 at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer Planes { vec4 at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Slots { uint at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer FaceWords {
     uint at[];

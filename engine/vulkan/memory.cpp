@@ -74,6 +74,7 @@ Buffer::Buffer(const DeviceContext& context, VkDeviceSize size, BufferPlace plac
     set_name(*context.vk, VK_OBJECT_TYPE_BUFFER, handle, what);
     VkMemoryRequirements requirements;
     context.vk->GetBufferMemoryRequirements(context.device, handle, &requirements);
+    requirements.alignment = std::max(requirements.alignment, k_min_buffer_alignment);
     const VkMemoryPropertyFlags needed =
         place == BufferPlace::device
             ? 0
@@ -123,12 +124,12 @@ VkImageAspectFlags Image::aspects() const noexcept {
     return depth != 0 ? depth : VkImageAspectFlags{VK_IMAGE_ASPECT_COLOR_BIT};
 }
 
-Image::Image(const DeviceContext& context, const ImageDescription& description,
 VkExtent2D max_attachment_extent(const VkPhysicalDeviceLimits& limits) noexcept {
     return {std::min(limits.maxImageDimension2D, limits.maxFramebufferWidth),
             std::min(limits.maxImageDimension2D, limits.maxFramebufferHeight)};
 }
 
+Image::Image(const DeviceContext& context, const ImageDescription& description,
              const std::string& what)
     : description_(description) {
     check_extent(context.limits, description, what);

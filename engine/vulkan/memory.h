@@ -73,6 +73,9 @@ private:
     std::byte* mapped_ = nullptr;
 };
 
+/// The address of every buffer is a multiple of it: of the largest alignment of a buffer reference (shaders/layout.h).
+constexpr VkDeviceSize k_min_buffer_alignment = 16;
+
 /// The size of a buffer that is made for `size_bytes`: at least 4.
 constexpr VkDeviceSize buffer_bytes(VkDeviceSize size_bytes) noexcept {
     return size_bytes > 4 ? size_bytes : 4;
@@ -103,12 +106,12 @@ struct ImageDescription {
     bool is_shared = false;
 };
 
-class Image {
-public:
-    Image() = default;
 /// The limits of images that are drawn into. A viewport may be as large (VkPhysicalDeviceLimits).
 VkExtent2D max_attachment_extent(const VkPhysicalDeviceLimits& limits) noexcept;
 
+class Image {
+public:
+    Image() = default;
     /// Throws Error{too_large} naming `what` and the limit if the device cannot make it.
     Image(const DeviceContext& context, const ImageDescription& description,
           const std::string& what);

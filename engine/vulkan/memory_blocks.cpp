@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <exception>
 #include <utility>
 
 #include "engine/vulkan/functions.h"
@@ -63,22 +64,21 @@ MemoryBlocks::MemoryBlocks(std::shared_ptr<const DeviceFunctions> vk,
 
 MemoryBlocks::~MemoryBlocks() = default;
 
-std::uint32_t MemoryBlocks::type_for(const MemoryRequest& request) const {
-    const auto find = [&](VkMemoryPropertyFlags flags) {
-        std::uint32_t type = 0;
-        while (type < memory_.memoryTypeCount &&
-               ((request.requirements.memoryTypeBits >> type & 1u) == 0 ||
-                (memory_.memoryTypes[type].propertyFlags & flags) != flags))
-            ++type;
-        return type;
-    };
-    // Wanted properties are given up one after the other, from the rarest.
+// All types that serve, the best first. Wanted properties are given up one after the other, from the rarest.
+std::vector<std::uint32_t> MemoryBlocks::types_for(const MemoryRequest& request) const {
+    std::vector<std::uint32_t> types;
     for (VkMemoryPropertyFlags wanted = request.wanted;; wanted &= ~std::bit_floor(wanted)) {
-        const std::uint32_t type = find(wanted | request.needed);
-        if (type < memory_.memoryTypeCount) return type;
-        if (wanted == 0)
-            throw Error(ErrorCode::no_device, "the device has no memory for " + request.what);
+        const VkMemoryPropertyFlags flags = wanted | request.needed;
+        for (std::uint32_t type = 0; type < memory_.memoryTypeCount; ++type)
+            if ((request.requirements.memoryTypeBits >> type & 1u) != 0 &&
+                (memory_.memoryTypes[type].propertyFlags & flags) == flags &&
+                std::ranges::find(types, type) == types.end())
+                types.push_back(type);
+        if (wanted == 0) break;
     }
+    if (types.empty())
+        throw Error(ErrorCode::no_device, "the device has no memory for " + request.what);
+    return types;
 }
 
 VkDeviceSize MemoryBlocks::block_limit(std::uint32_t type) const noexcept {
@@ -146,7 +146,20 @@ MemoryBlocks::Pool& MemoryBlocks::pool_of(const MemoryRequest& request, std::uin
 }
 
 MemoryPart MemoryBlocks::allocate(const MemoryRequest& request) {
-    const std::uint32_t type = type_for(request);
+    const std::vector<std::uint32_t> types = types_for(request);
+    std::exception_ptr first_error;  // Names the memory that was wanted.
+    for (const std::uint32_t type : types) {
+        try {
+            return allocate(request, type);
+        } catch (const Error& error) {
+            if (error.code() != ErrorCode::too_large) throw;
+            if (!first_error) first_error = std::current_exception();
+        }
+    }
+    std::rethrow_exception(first_error);
+}
+
+MemoryPart MemoryBlocks::allocate(const MemoryRequest& request, std::uint32_t type) {
     const VkDeviceSize size = request.requirements.size;
     auto owner = std::make_unique<Owner>();
     const auto part_of = [&](Block& block, RangeAllocator::Part& part) {

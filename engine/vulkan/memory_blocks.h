@@ -5,12 +5,12 @@
 //
 // There is a pool of blocks for each type of memory, one for buffers and one for images, which are not to lie
 // beside one another (bufferImageGranularity). Blocks grow from 1 MiB to 64 MiB, or an eighth of the heap. What
-// is larger than half a block has a VkDeviceMemory of its own, as images that the driver wants so. One empty block a
-// pool is kept for what comes next.
+// is larger than half a block has a VkDeviceMemory of its own. One empty block a pool is kept for what comes next.
 //
 // Where the device has VK_EXT_memory_budget, the budget of the heap is read before a VkDeviceMemory is allocated
 // (heap_room.h): what the system leaves to this program now, which is less than the heap where others use it too.
-// A new block that does not fit is made as small as its first part. A part that does not fit is refused; the
+// A new block that does not fit is made as small as its first part. A part that does not fit goes to the next type of
+// memory that serves, last to one without the properties that were only wanted. It is refused where none is left; the
 // driver would otherwise move memory out of the device, or fail later.
 
 #include <atomic>
@@ -51,7 +51,8 @@ private:
     struct Block;
     struct Owner;
 
-    std::uint32_t type_for(const MemoryRequest& request) const;
+    std::vector<std::uint32_t> types_for(const MemoryRequest& request) const;
+    MemoryPart allocate(const MemoryRequest& request, std::uint32_t type);
     VkDeviceSize block_limit(std::uint32_t type) const noexcept;
     VkDeviceSize free_bytes(std::uint32_t type) const;
     std::unique_ptr<Block> make_block(const MemoryRequest& request, std::uint32_t type,

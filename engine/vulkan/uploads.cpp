@@ -1,5 +1,6 @@
 #include "engine/vulkan/uploads.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "engine/vulkan/commands.h"
@@ -45,7 +46,7 @@ void Uploads::send(std::vector<StagedCopy>& copies) {
     OwnedCommandPool pool = make_command_pool(context_, "uploads", context_.transfer_family);
     const Commands commands = begin_commands(context_, make_commands(context_, pool));
     for (const StagedCopy& copy : copies) {
-        const VkBufferCopy region{.size = copy.staging.size()};
+        const VkBufferCopy region{.dstOffset = copy.target_offset, .size = copy.size};
         if (copy.image != VK_NULL_HANDLE)
             record_image(commands, copy);
         else if (region.size == 0)
@@ -106,7 +107,8 @@ Image UploadBatch::add_image(VkFormat format, std::span<const Picture> levels,
                 what);
     std::uint64_t size_bytes = 0;
     for (const Picture& level : levels) size_bytes += level.rgba.size();
-    Uploads::StagedCopy copy{stage(size_bytes, what), VK_NULL_HANDLE, image.handle()};
+    Uploads::StagedCopy copy{
+        .staging = stage(size_bytes, what), .target = VK_NULL_HANDLE, .image = image.handle()};
     std::uint64_t offset_bytes = 0;
     for (const Picture& level : levels) {
         copy.levels.push_back(
@@ -123,16 +125,19 @@ Image UploadBatch::add_image(VkFormat format, std::span<const Picture> levels,
 
 Buffer UploadBatch::add(std::span<const std::byte> data, const std::string& what) {
     Buffer buffer(context_, data.size(), BufferPlace::device, what);
-    if (data.empty()) return buffer;
-    Buffer staging = stage(data.size(), what);
-    std::memcpy(staging.mapped(), data.data(), data.size());
-    staged_.push_back({std::move(staging), buffer.handle()});
+    for (std::size_t first = 0; first < data.size(); first += k_max_staged_bytes) {
+        const std::span<const std::byte> part =
+            data.subspan(first, std::min<std::size_t>(k_max_staged_bytes, data.size() - first));
+        Buffer staging = stage(part.size(), what);
+        std::memcpy(staging.mapped(), part.data(), part.size());
+        staged_.push_back({std::move(staging), buffer.handle(), first, part.size()});
+    }
     return buffer;
 }
 
 Buffer UploadBatch::add_zeros(VkDeviceSize size_bytes, const std::string& what) {
     Buffer buffer(context_, size_bytes, BufferPlace::device, what);
-    staged_.push_back({{}, buffer.handle()});
+    staged_.push_back({.staging = {}, .target = buffer.handle()});
     return buffer;
 }
 

@@ -54,6 +54,9 @@ private:
     struct StagedCopy {
         Buffer staging;  // Empty: the target is filled with zeros.
         VkBuffer target;
+        // Where `size` bytes go.
+        VkDeviceSize target_offset = 0;
+        VkDeviceSize size = 0;
         // If set, the target is this image, of these levels.
         VkImage image = VK_NULL_HANDLE;
         std::vector<VkBufferImageCopy> levels = {};
@@ -81,9 +84,9 @@ public:
 
     const DeviceContext& context() const noexcept { return context_; }
 
-    /// A device buffer that holds `data` after the batch is sent and the copies are done. The buffer must
-    /// exist until then; `data` is not needed after the call. If more than k_max_staged_bytes are staged,
-    /// they are sent and waited for. Throws as Buffer, and what vk_check() does.
+    /// A device buffer that holds `data` after the batch is sent and the copies are done. The buffer must exist until
+    /// then; `data` is not needed after the call. If more than k_max_staged_bytes would be staged, what is staged is
+    /// sent and waited for; so are the parts of data that is larger. Throws as Buffer, and what vk_check() does.
     Buffer add(std::span<const std::byte> data, const std::string& what);
     template <typename T>
     Buffer add(std::span<const T> data, const std::string& what) {
@@ -91,7 +94,7 @@ public:
     }
 
     /// A color image of four bytes a pixel with these mip levels, the largest first, likewise. It is to be sampled, in
-    /// SHADER_READ_ONLY_OPTIMAL. Throws as Image.
+    /// SHADER_READ_ONLY_OPTIMAL. It is staged as a whole. Throws as Image.
     Image add_image(VkFormat format, std::span<const Picture> levels, const std::string& what);
 
     /// A device buffer of zeros, likewise.
@@ -100,7 +103,7 @@ public:
     /// Begins the copies. Does not wait. Throws what vk_check() does; then nothing is copied.
     void send();
 
-    /// Limit of host memory for staging: 64 MiB.
+    /// Limit of host memory for staging, but for an image that is larger: 64 MiB.
     static constexpr std::uint64_t k_max_staged_bytes = std::uint64_t{64} << 20;
 
 private:

@@ -7,6 +7,7 @@
 #include "engine/renderer.h"
 #include "engine/vulkan/memory.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
+#include "tests/engine/support/changed_functions.h"
 #include "tests/engine/support/gpu_fixture.h"
 #include "tests/engine/support/test_pictures.h"
 
@@ -64,6 +65,70 @@ TEST_CASE("blocks that are empty go, all but one of a kind, and that too if aske
     CHECK(blocks.allocation_count() <= before + 1);
     blocks.trim();
     CHECK(blocks.allocation_count() == before);
+}
+
+PFN_vkAllocateMemory allocate_memory = nullptr;
+std::vector<std::uint32_t> tried_types;
+std::uint32_t full_types = 0;  // Bit t: there is no memory of type t.
+
+// Every type is the device's first one.
+VKAPI_ATTR VkResult VKAPI_CALL allocate_where_there_is_room(VkDevice device,
+                                                            const VkMemoryAllocateInfo* info,
+                                                            const VkAllocationCallbacks* callbacks,
+                                                            VkDeviceMemory* memory) {
+    tried_types.push_back(info->memoryTypeIndex);
+    if ((full_types >> info->memoryTypeIndex & 1u) != 0) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    VkMemoryAllocateInfo first = *info;
+    first.memoryTypeIndex = 0;
+    return allocate_memory(device, &first, callbacks, memory);
+}
+
+TEST_CASE(
+    "where the memory that is wanted has run out another type serves that has what is needed") {
+    RIMLINE_OPEN_GPU(gpu);
+    const DeviceContext context = tests::with_functions(gpu->context(), [](DeviceFunctions& vk) {
+        allocate_memory = vk.AllocateMemory;
+        vk.AllocateMemory = &allocate_where_there_is_room;
+    });
+    constexpr VkMemoryPropertyFlags k_local = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
+    constexpr VkMemoryPropertyFlags k_visible = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT;
+    constexpr VkDeviceSize k_unit = VkDeviceSize{1} << 20;
+    VkPhysicalDeviceMemoryProperties memory{};
+    memory.memoryHeapCount = 3;
+    memory.memoryHeaps[0].size = 1024 * k_unit;
+    memory.memoryHeaps[1].size = 16 * k_unit;
+    memory.memoryHeaps[2].size = 1024 * k_unit;
+    memory.memoryTypeCount = 4;
+    memory.memoryTypes[0] = {k_visible, 0};
+    memory.memoryTypes[1] = {k_local | k_visible, 1};
+    memory.memoryTypes[2] = {k_local, 2};
+    memory.memoryTypes[3] = {0, 0};
+    MemoryBlocks blocks(context.vk, memory, ~VkDeviceSize{0});
+    MemoryRequest request{.requirements = {.size = 20 * k_unit, .alignment = 16},
+                          .wanted = k_local,
+                          .buffer = reinterpret_cast<VkBuffer>(std::uintptr_t{8}),
+                          .what = "a model"};
+    const auto types_tried = [&](std::uint32_t allowed, std::uint32_t full) {
+        request.requirements.memoryTypeBits = allowed;
+        full_types = full;
+        tried_types.clear();
+        blocks.free(blocks.allocate(request));
+        blocks.trim();
+        return tried_types;
+    };
+    using Types = std::vector<std::uint32_t>;
+    // Heap 1 is too small.
+    CHECK(types_tried(0b1111, 0) == Types{2});
+    CHECK(types_tried(0b1111, 0b0100) == Types{2, 0});
+    CHECK(types_tried(0b1111, 0b0101) == Types{2, 0, 3});
+    CHECK(types_tried(0b1011, 0) == Types{0});
+    // What is needed is not given up, and the error is that of the type that was wanted most.
+    request.needed = k_visible;
+    CHECK_THROWS_WITH_AS(types_tried(0b1111, 0b0001), doctest::Contains("memory of 16 MiB"), Error);
+    CHECK(tried_types == Types{0});
+    request.requirements.size = k_unit;
+    CHECK(types_tried(0b1111, 0b0010) == Types{1, 0});
+    CHECK(blocks.allocation_count() == 0);
 }
 
 // A caller's allocator: Rimline's, with everything counted.

@@ -98,6 +98,20 @@ TEST_CASE("a batch larger than what may be staged at once is sent in parts") {
         CHECK(read(*gpu, buffers[i], k_count) == random_words(k_count, i));
 }
 
+TEST_CASE("data larger than what may be staged at once is sent in parts") {
+    RIMLINE_OPEN_GPU(gpu);
+    Uploads uploads(gpu->context());
+    UploadBatch batch(gpu->context(), uploads);
+    constexpr std::size_t k_count = (UploadBatch::k_max_staged_bytes / 4) * 5 / 2 + 3;
+    const std::vector<std::uint32_t> words = random_words(k_count, 5);
+    const Buffer buffer = batch.add(std::span<const std::uint32_t>(words), "a test");
+    CHECK(uploads.sent().value == 2);
+    batch.send();
+    CHECK(uploads.sent().value == 3);
+    uploads.wait();
+    CHECK(read(*gpu, buffer, k_count) == words);
+}
+
 TEST_CASE("a device of a caller's with one queue uploads over that") {
     RIMLINE_OPEN_GPU(gpu);
     const DeviceContext& own = gpu->context();
