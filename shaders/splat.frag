@@ -8,6 +8,8 @@ layout(location = 2) flat in vec4 cuts;
 layout(location = 3) flat in vec3 rest;
 
 layout(location = 0) out vec4 result;
+// Depth 0 is far, and rest.z is not negative. So the depth test may come before the shader.
+layout(depth_less) out float gl_FragDepth;
 
 void main() {
     if (dot(place, place) > 1.0 || dot(place, cuts.xy) < 0.0 || dot(place, cuts.zw) < 0.0 ||

@@ -32,7 +32,7 @@ void main() {
     const vec4 behind = clip_from_world(splat.position - k_slope * splat.radius * towards);
     // Behind the camera there is no depth: the disc is flat.
     const bool has_depths = min(center.w, behind.w) > 0.0;
-    rest.z = has_depths ? center.z / center.w - behind.z / behind.w : 0.0;
+    rest.z = has_depths ? max(center.z / center.w - behind.z / behind.w, 0.0) : 0.0;
     const vec4 given = unpackUnorm4x8(splat.color);
     const float light = given.a > 0.5 ? 1.0 : mix(k_ambient, 1.0, abs(dot(normal, towards)));
     color = light * linear_from_srgb(given.rgb);
