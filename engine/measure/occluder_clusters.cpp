@@ -137,6 +137,27 @@ bool LineReach::may_hide_line(const glm::vec3& a, const glm::vec3& b,
                                    nearest * (1.0f - k_distance_margin));
 }
 
+void join_runs(std::vector<IndexRun>& runs, std::size_t max_runs) {
+    if (runs.size() <= max_runs) return;
+    const auto gap_before = [&](std::size_t i) {
+        return runs[i].first - (runs[i - 1].first + runs[i - 1].count);
+    };
+    std::vector<std::uint32_t> gaps;
+    for (std::size_t i = 1; i < runs.size(); ++i) gaps.push_back(gap_before(i));
+    // All but the max_runs - 1 largest.
+    const auto largest = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() - max_runs);
+    std::ranges::nth_element(gaps, largest);
+    const std::uint32_t largest_joined = *largest;
+    std::vector<IndexRun> joined{runs[0]};
+    for (std::size_t i = 1; i < runs.size(); ++i) {
+        if (gap_before(i) > largest_joined)
+            joined.push_back(runs[i]);
+        else
+            joined.back().count = runs[i].first + runs[i].count - joined.back().first;
+    }
+    runs.swap(joined);
+}
+
 OccluderClusters::OccluderClusters(const Mesh& mesh) {
     std::vector<FaceId> faces;
     std::vector<glm::dvec3> centroids;

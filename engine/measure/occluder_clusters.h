@@ -16,6 +16,7 @@
 // not hide a line may be kept, never the reverse, so the pixel counts do not change. Of 70,000 faces in a
 // picture of 256 x 256, clusters keep six tenths, and faces one tenth.
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
@@ -95,6 +96,10 @@ struct IndexRun {
     std::uint32_t first;
     std::uint32_t count;
 };
+
+/// Joins runs over the smallest gaps between them until at most `max_runs`, not 0, are left: each run is a draw call.
+/// `runs` are in ascending order. O(runs).
+void join_runs(std::vector<IndexRun>& runs, std::size_t max_runs);
 
 class OccluderClusters {
 public:

@@ -19,6 +19,9 @@ namespace {
 // are copied to be drawn. With more faces the clusters are drawn, which copies nothing.
 constexpr std::size_t k_max_copied_faces = 1'000'000;
 
+// The limit of draw calls for the clusters of a view. Beyond it some clusters between others are drawn too.
+constexpr std::size_t k_max_face_runs = 256;
+
 const Mesh& drawable(const Mesh& mesh) {
     if (mesh.vertex_count() > k_max_indexed_vertices)
         throw Error(ErrorCode::too_large, "more than 2^24 vertices, too many for visible ratios");
@@ -124,7 +127,10 @@ void RatioViewBuilder::select_faces(RatioView& view, ThreadScratch& scratch) con
     clusters_.select(scratch.lines, view.culls_backs, view.faces);
     std::size_t face_count = 0;
     for (const IndexRun& run : view.faces) face_count += run.count / 3;
-    if (occluders_ == Occluders::clusters || face_count > k_max_copied_faces) return;
+    if (occluders_ == Occluders::clusters || face_count > k_max_copied_faces) {
+        join_runs(view.faces, k_max_face_runs);
+        return;
+    }
     scratch.corners.resize(mesh.vertex_count());
     std::ranges::transform(
         mesh.positions(), scratch.corners.begin(),
