@@ -109,8 +109,8 @@ const GpuMesh& InstanceStates::upload(const Mesh& mesh, Uploaded& uploaded) {
     if (!known) {
         UploadBatch batch(context_, uploads_);
         auto made =
-            std::make_unique<GpuMesh>(batch, mesh, options_.crease_angle_rad, options_.line_path,
-                                      options_.outline == OutlineMethod::backs);
+            std::make_unique<GpuMesh>(batch, samplers_, mesh, options_.crease_angle_rad,
+                                      options_.line_path, options_.outline == OutlineMethod::backs);
         batch.send();
         known = std::move(made);
         ++uploaded.meshes;
@@ -183,11 +183,11 @@ void InstanceStates::prepare_silhouettes(const FrameView& view) {
             else
                 prepare(state.camera, instance, *seen.lines);
         }
-        if (!casts_shadows(view.scene, instance)) continue;
         for (std::size_t l = 0; l < seen.lights.size(); ++l) {
+            if (!casts_shadows(view.scene, instance, view.scene.lights[l])) continue;
             if (state.deforming)
                 state.deforming->prepare_light(l, uploads_);
-            else if (view.scene.lights[l].casts_shadows)
+            else
                 prepare(state.lights[l], instance, seen.lights[l].point);
         }
     }
@@ -209,11 +209,11 @@ bool InstanceStates::has_silhouettes(const FrameView& view) const {
         if (view.instances[i].lines && follows_camera() &&
             !(state.deforming ? state.deforming->has_camera() : state.camera != nullptr))
             return false;
-        if (!casts_shadows(view.scene, view.scene.instances[i])) continue;
-        for (std::size_t l = 0; l < state.lights.size(); ++l)
-            if (!(state.deforming ? state.deforming->has_light(l)
-                                  : state.lights[l] || !view.scene.lights[l].casts_shadows))
+        for (std::size_t l = 0; l < state.lights.size(); ++l) {
+            if (!casts_shadows(view.scene, view.scene.instances[i], view.scene.lights[l])) continue;
+            if (!(state.deforming ? state.deforming->has_light(l) : state.lights[l] != nullptr))
                 return false;
+        }
     }
     return true;
 }

@@ -122,6 +122,7 @@ private:
     Options options_;
     MemoryBudget stream_budget_;
     MemoryBudget tracker_budget_;
+    TextureSamplers samplers_;  // Of the meshes.
     std::map<const Mesh*, std::unique_ptr<GpuMesh>> meshes_;
     CasterMeshes casters_;
     std::unique_ptr<DeformPasses> deform_passes_;  // Made for the first instance that deforms.

@@ -31,7 +31,8 @@ Buffer add_face_inks(UploadBatch& batch, std::vector<std::uint8_t> inks) {
 
 }  // namespace
 
-GpuMaterials::GpuMaterials(UploadBatch& batch, const FaceMaterials& materials)
+GpuMaterials::GpuMaterials(UploadBatch& batch, TextureSamplers& samplers,
+                           const FaceMaterials& materials)
     : inks_(material_inks(materials)),
       base_colors_(add_base_colors(batch, materials)),
       of_face_(batch.add(std::span<const MaterialId>(materials.of_face), "materials of faces")),
@@ -39,7 +40,7 @@ GpuMaterials::GpuMaterials(UploadBatch& batch, const FaceMaterials& materials)
     if (!materials.corner_colors.empty())
         corner_colors_ =
             batch.add(std::span<const glm::vec3>(materials.corner_colors), "corner colors");
-    if (materials.has_pictures()) textures_.emplace(batch, materials);
+    if (materials.has_pictures()) textures_.emplace(batch, samplers, materials);
 }
 
 std::uint64_t GpuMaterials::size_bytes() const noexcept {
@@ -47,8 +48,8 @@ std::uint64_t GpuMaterials::size_bytes() const noexcept {
            (textures_ ? textures_->size_bytes() : 0);
 }
 
-GpuMesh::GpuMesh(UploadBatch& batch, const Mesh& mesh, float crease_angle_rad, LinePath line_path,
-                 bool has_hull)
+GpuMesh::GpuMesh(UploadBatch& batch, TextureSamplers& samplers, const Mesh& mesh,
+                 float crease_angle_rad, LinePath line_path, bool has_hull)
     : vertex_count_(mesh.vertex_count()),
       face_count_(mesh.face_count()),
       border_count_(mesh.edges_of_class(EdgeClass::border).size()),
@@ -84,7 +85,7 @@ GpuMesh::GpuMesh(UploadBatch& batch, const Mesh& mesh, float crease_angle_rad, L
     const std::span<const Crease> sharp(creases.data(),
                                         crease_count(Creases::all, k_min_clear_rad));
     clear_creases_ = add_creases(clear_creases(mesh, sharp), clear_bends_rad_);
-    if (!mesh.materials().empty()) materials_.emplace(batch, mesh.materials());
+    if (!mesh.materials().empty()) materials_.emplace(batch, samplers, mesh.materials());
     if (!draws_slots(line_path)) comparator_.emplace(batch, mesh);
 }
 

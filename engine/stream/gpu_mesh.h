@@ -22,7 +22,7 @@ constexpr float k_min_crease_rad = 0.17f;
 /// The colors of a mesh that has some (silhouette/mesh/face_materials.h).
 class GpuMaterials {
 public:
-    GpuMaterials(UploadBatch& batch, const FaceMaterials& materials);
+    GpuMaterials(UploadBatch& batch, TextureSamplers& samplers, const FaceMaterials& materials);
 
     std::uint64_t size_bytes() const noexcept;
     VkDeviceAddress base_colors() const noexcept { return base_colors_.address(); }
@@ -46,8 +46,9 @@ class GpuMesh {
 public:
     /// Surfaces are shaded smooth across edges that bend by at most `crease_angle_rad`. Adds its data to
     /// `batch`, with the data that only `line_path` needs, and hull_normals() if `has_hull`. The caller sends the
-    /// batch, and keeps this object until the copies are done. `mesh` is not needed afterwards.
-    GpuMesh(UploadBatch& batch, const Mesh& mesh, float crease_angle_rad,
+    /// batch, and keeps this object until the copies are done. `samplers` must outlive it. `mesh` is not needed
+    /// afterwards.
+    GpuMesh(UploadBatch& batch, TextureSamplers& samplers, const Mesh& mesh, float crease_angle_rad,
             LinePath line_path = LinePath::geometry, bool has_hull = false);
 
     /// Bytes of buffers.

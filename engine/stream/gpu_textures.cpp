@@ -43,7 +43,8 @@ void write_set(const DeviceContext& context, VkDescriptorSet set, const Image& i
 
 }  // namespace
 
-GpuTextures::GpuTextures(UploadBatch& batch, const FaceMaterials& materials)
+GpuTextures::GpuTextures(UploadBatch& batch, TextureSamplers& samplers,
+                         const FaceMaterials& materials)
     : corner_uvs_(
           batch.add(std::span<const glm::vec2>(materials.corner_uvs), "texture coordinates")),
       sets_(batch.context(), k_name, {&k_texture_binding, 1},
@@ -57,7 +58,7 @@ GpuTextures::GpuTextures(UploadBatch& batch, const FaceMaterials& materials)
             set < materials.textures.size() ? materials.textures[set] : none;
         if (!faces.empty()) {
             write_set(context, sets_[set], image_of(batch, texture.picture.get()),
-                      sampler_of(context, texture));
+                      samplers.of(context, texture));
             ranges_.push_back({sets_[set], static_cast<std::uint32_t>(all.size()),
                                static_cast<std::uint32_t>(faces.size())});
         }
@@ -77,7 +78,7 @@ std::uint64_t GpuTextures::size_bytes() const noexcept {
     return size;
 }
 
-VkSampler GpuTextures::sampler_of(const DeviceContext& context, const MaterialTexture& texture) {
+VkSampler TextureSamplers::of(const DeviceContext& context, const MaterialTexture& texture) {
     OwnedSampler& sampler = samplers_[{static_cast<int>(texture.wrap_u),
                                        static_cast<int>(texture.wrap_v), texture.is_pixelated}];
     if (sampler.get() == VK_NULL_HANDLE)

@@ -21,10 +21,21 @@
 
 namespace rimline {
 
+/// The samplers of all textures of a renderer, each made when it is first asked for: there are at most 18, and a
+/// device may allow no more than 4000 (maxSamplerAllocationCount).
+class TextureSamplers {
+public:
+    /// The sampler for `texture`. It lives as long as this object.
+    VkSampler of(const DeviceContext& context, const MaterialTexture& texture);
+
+private:
+    std::map<std::array<int, 3>, OwnedSampler> samplers_;  // By wrap_u, wrap_v and is_pixelated.
+};
+
 class GpuTextures {
 public:
-    /// `materials` has pictures. Pictures larger than the device's images are reduced.
-    GpuTextures(UploadBatch& batch, const FaceMaterials& materials);
+    /// `materials` has pictures. Pictures larger than the device's images are reduced. `samplers` must outlive it.
+    GpuTextures(UploadBatch& batch, TextureSamplers& samplers, const FaceMaterials& materials);
 
     /// Bytes of buffers and images.
     std::uint64_t size_bytes() const noexcept;
@@ -35,12 +46,10 @@ public:
     std::span<const TexturedFaces> ranges() const noexcept { return ranges_; }
 
 private:
-    VkSampler sampler_of(const DeviceContext& context, const MaterialTexture& texture);
     const Image& image_of(UploadBatch& batch, const Picture* picture);
 
     Buffer faces_, corner_uvs_;
-    std::map<std::array<int, 3>, OwnedSampler> samplers_;  // By wrap_u, wrap_v and is_pixelated.
-    std::map<const Picture*, Image> images_;               // Null: white.
+    std::map<const Picture*, Image> images_;  // Null: white.
     DescriptorSets sets_;
     std::vector<TexturedFaces> ranges_;
 };

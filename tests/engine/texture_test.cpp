@@ -13,6 +13,7 @@
 #include "engine/stream/mip_levels.h"
 #include "engine/view_defaults.h"
 #include "silhouette/srgb.h"
+#include "tests/engine/support/changed_functions.h"
 #include "tests/engine/support/gpu_fixture.h"
 #include "tests/engine/support/test_pictures.h"
 
@@ -85,6 +86,40 @@ bool is_near(const std::array<int, 3>& a, const std::array<int, 3>& b) {
     for (std::size_t c = 0; c < 3; ++c)
         if (std::abs(a[c] - b[c]) > 2) return false;
     return true;
+}
+
+PFN_vkCreateSampler create_sampler = nullptr;
+int made_samplers = 0;
+
+VKAPI_ATTR VkResult VKAPI_CALL count_sampler(VkDevice device, const VkSamplerCreateInfo* info,
+                                             const VkAllocationCallbacks* callbacks,
+                                             VkSampler* sampler) {
+    ++made_samplers;
+    return create_sampler(device, info, callbacks, sampler);
+}
+
+TEST_CASE("meshes share the samplers of their textures") {
+    RIMLINE_OPEN_GPU(gpu);
+    const DeviceContext context = with_functions(gpu->context(), [](DeviceFunctions& vk) {
+        create_sampler = vk.CreateSampler;
+        vk.CreateSampler = &count_sampler;
+    });
+    const Model first(textured_square(1.0f, texture_of(one_color(255, 0, 0))));
+    const Model second(textured_square(1.0f, texture_of(one_color(0, 255, 0))));
+    MaterialTexture clamped = texture_of(one_color(0, 0, 255));
+    clamped.wrap_u = TextureWrap::clamp;
+    const Model third(textured_square(1.0f, clamped));
+    Renderer renderer(context, {.samples = 1, .scale = 1});
+    Scene scene{.camera = {.eye = {0, 0, 5}}};
+    const auto samplers_with = [&](const Model& model) {
+        scene.instances.push_back({.octree = &model.octree});
+        made_samplers = 0;
+        renderer.render(scene, 16, 16);
+        return made_samplers;
+    };
+    CHECK(samplers_with(first) == 1);
+    CHECK(samplers_with(second) == 0);
+    CHECK(samplers_with(third) == 1);
 }
 
 TEST_CASE("a texture whose pixels fall on those of the picture is the picture") {

@@ -97,6 +97,35 @@ TEST_CASE("buffers of a silhouette are those of the frame recorded last, or none
           renderer.silhouette(0, std::nullopt)->slots.address);
 }
 
+TEST_CASE("a light that casts no shadow takes no silhouette, of a mesh that deforms neither") {
+    RIMLINE_OPEN_GPU(gpu);
+    if (!gpu->context().round_to_nearest_float32) RIMLINE_SKIP("the device has no RoundingModeRTE");
+    const Mesh mesh(make_built_in_shape("torus", 1000));
+    const HoughOctree octree(mesh);
+    const auto bytes_with = [&](const SceneInstance& instance, std::vector<bool> casting) {
+        Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
+        Scene scene = kept_scene(mesh, octree, Style::ink);
+        scene.instances = {instance};
+        const Light sun = scene.lights[0];
+        scene.lights.clear();
+        for (const bool casts : casting) {
+            scene.lights.push_back(sun);
+            scene.lights.back().casts_shadows = casts;
+        }
+        renderer.render(scene, 32, 32);
+        return renderer.stream_bytes();
+    };
+    for (const SceneInstance& instance :
+         {SceneInstance{.octree = &octree}, SceneInstance{.deforming = &mesh}}) {
+        CAPTURE(instance.deforming != nullptr);
+        const std::uint64_t none = bytes_with(instance, {});
+        CHECK(bytes_with(instance, {false, false}) == none);
+        const std::uint64_t one = bytes_with(instance, {true});
+        CHECK(one > none);
+        CHECK(bytes_with(instance, {false, true}) == one);
+    }
+}
+
 TEST_CASE("a mesh may go when a scene without it is drawn, and another have its address") {
     RIMLINE_OPEN_GPU(gpu);
     const auto model_of = [](const char* shape) {

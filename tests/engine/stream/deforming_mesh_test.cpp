@@ -21,8 +21,10 @@ constexpr float k_crease = 0.7f;
 
 // The mesh on the GPU.
 GpuMesh uploaded(const DeviceContext& context, const Mesh& mesh, float crease_angle_rad) {
-    return upload_at_once(
-        context, [&](UploadBatch& batch) { return GpuMesh(batch, mesh, crease_angle_rad); });
+    return upload_at_once(context, [&](UploadBatch& batch) {
+        TextureSamplers samplers;  // It has no textures.
+        return GpuMesh(batch, samplers, mesh, crease_angle_rad);
+    });
 }
 
 class DeformingSubject {
