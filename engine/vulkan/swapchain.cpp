@@ -10,6 +10,9 @@ namespace rimline {
 
 namespace {
 
+// VkSurfaceCapabilitiesKHR::currentExtent.width where the swapchain chooses the extent.
+constexpr std::uint32_t k_any_extent = 0xffffffffu;
+
 OwnedSemaphore make_semaphore(const DeviceContext& context) {
     const VkSemaphoreCreateInfo info{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
     VkSemaphore semaphore = VK_NULL_HANDLE;
@@ -63,15 +66,29 @@ void Swapchain::wait_until_unused() const noexcept {
     });
 }
 
-void Swapchain::remake(VkExtent2D window_size) {
-    wait_until_unused();
+VkSurfaceCapabilitiesKHR Swapchain::capabilities() const {
     VkSurfaceCapabilitiesKHR can;
     vk_check(context_.vk->GetPhysicalDeviceSurfaceCapabilitiesKHR(context_.physical_device,
                                                                   surface_, &can),
              "vkGetPhysicalDeviceSurfaceCapabilitiesKHR");
-    constexpr std::uint32_t k_any = 0xffffffffu;
+    return can;
+}
+
+// Whether new images would be other than these. A surface may be suboptimal for ever, for a reason that new images do
+// not change.
+bool Swapchain::has_changed() const {
+    const VkSurfaceCapabilitiesKHR can = capabilities();
+    const bool has_extent = can.currentExtent.width != k_any_extent;
+    return can.currentTransform != transform_ ||
+           (has_extent && (can.currentExtent.width != extent_.width ||
+                           can.currentExtent.height != extent_.height));
+}
+
+void Swapchain::remake(VkExtent2D window_size) {
+    wait_until_unused();
+    const VkSurfaceCapabilitiesKHR can = capabilities();
     extent_ = can.currentExtent;
-    if (extent_.width == k_any)
+    if (extent_.width == k_any_extent)
         extent_ = {
             std::clamp(window_size.width, can.minImageExtent.width, can.maxImageExtent.width),
             std::clamp(window_size.height, can.minImageExtent.height, can.maxImageExtent.height)};
@@ -83,7 +100,8 @@ void Swapchain::remake(VkExtent2D window_size) {
     }
 
     can_be_copied_to_ = (can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT) != 0;
-    const std::uint32_t most = can.maxImageCount == 0 ? k_any : can.maxImageCount;
+    can_be_copied_from_ = (can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_SRC_BIT) != 0;
+    const std::uint32_t most = can.maxImageCount == 0 ? ~0u : can.maxImageCount;
     const VkSwapchainCreateInfoKHR info{
         .sType = VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR,
         .surface = surface_,
@@ -128,8 +146,9 @@ void Swapchain::remake(VkExtent2D window_size) {
         set_name(*context_.vk, VK_OBJECT_TYPE_IMAGE_VIEW, view_handle, "a picture of the window");
         images_.push_back({image, {context_, view_handle}, make_semaphore(context_)});
     }
-    ++generation_;
+    transform_ = can.currentTransform;
     stale_ = false;
+    is_suboptimal_ = false;
 }
 
 bool Swapchain::acquire(std::uint32_t ring_slot, VkExtent2D window_size) {
@@ -137,6 +156,7 @@ bool Swapchain::acquire(std::uint32_t ring_slot, VkExtent2D window_size) {
     ring_slot_ = ring_slot;
     if (window_size.width != window_size_.width || window_size.height != window_size_.height)
         stale_ = true;
+    if (!stale_ && is_suboptimal_) stale_ = has_changed();
     // A second attempt, if the images went out of date between the two calls.
     for (int attempt = 0; attempt < 2; ++attempt) {
         if (stale_ || images_.empty()) remake(window_size);
@@ -145,9 +165,11 @@ bool Swapchain::acquire(std::uint32_t ring_slot, VkExtent2D window_size) {
             context_.vk->AcquireNextImageKHR(context_.device, swapchain_, UINT64_MAX,
                                              acquired_[ring_slot], VK_NULL_HANDLE, &current_);
         if (result == VK_SUCCESS) return true;
-        stale_ = true;
-        if (result == VK_SUBOPTIMAL_KHR)
+        if (result == VK_SUBOPTIMAL_KHR) {
+            is_suboptimal_ = true;
             return true;  // Its semaphore will be signaled, so it must be drawn.
+        }
+        stale_ = true;
         if (result != VK_ERROR_OUT_OF_DATE_KHR) vk_check(result, "vkAcquireNextImageKHR");
     }
     return false;
@@ -166,7 +188,9 @@ void Swapchain::present() {
         const QueueLock lock(context_);
         return context_.vk->QueuePresentKHR(context_.queue, &info);
     }();
-    if (result == VK_SUBOPTIMAL_KHR || result == VK_ERROR_OUT_OF_DATE_KHR)
+    if (result == VK_SUBOPTIMAL_KHR)
+        is_suboptimal_ = true;
+    else if (result == VK_ERROR_OUT_OF_DATE_KHR)
         stale_ = true;
     else
         vk_check(result, "vkQueuePresentKHR");

@@ -76,8 +76,8 @@ public:
     VkExtent2D extent() const noexcept { return extent_; }
     /// Whether smaller images can be enlarged into the images (vkCmdBlitImage, linear).
     bool can_be_copied_to() const noexcept { return can_be_copied_to_; }
-    /// The number of times that images were made.
-    std::uint32_t generation() const noexcept { return generation_; }
+    /// Whether the images can be copied from, as for saving the window's picture.
+    bool can_be_copied_from() const noexcept { return can_be_copied_from_; }
 
 private:
     struct ShownImage {
@@ -86,6 +86,8 @@ private:
         OwnedSemaphore drawn;
     };
 
+    VkSurfaceCapabilitiesKHR capabilities() const;
+    bool has_changed() const;
     void remake(VkExtent2D window_size);
     void wait_until_unused() const noexcept;
 
@@ -99,9 +101,11 @@ private:
     std::vector<ShownImage> images_;
     std::uint32_t ring_slot_ = 0;
     std::uint32_t current_ = 0;
-    std::uint32_t generation_ = 0;
-    bool stale_ = true;
+    VkSurfaceTransformFlagBitsKHR transform_ = VK_SURFACE_TRANSFORM_IDENTITY_BIT_KHR;
+    bool stale_ = true;  // The images must be made again.
+    bool is_suboptimal_ = false;
     bool can_be_copied_to_ = false;
+    bool can_be_copied_from_ = false;
 };
 
 }  // namespace rimline

@@ -326,6 +326,11 @@ std::optional<WindowRenderer::Frame> WindowRenderer::draw_once(const ViewPicture
     OnDevice::RingSlot& slot = gpu_->ring[ring_slot];
     gpu_->wait_for(slot);
     if (!gpu_->swapchain.acquire(ring_slot, window_->size_px())) return std::nullopt;
+    if (capture && !gpu_->swapchain.can_be_copied_from())
+        throw Error(
+            ErrorCode::bad_input,
+            "the window's picture cannot be saved: the device does not let programs copy from the "
+            "pictures of this window");
     const PictureTarget shown = gpu_->shown_target();
     Frame frame{};
     const Commands picture = begin_commands(gpu_->device.context(), slot.picture);

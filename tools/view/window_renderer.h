@@ -57,9 +57,9 @@ public:
         FrameReport report;  ///< Only of a model.
         Picture picture;     ///< What the window shows. Empty without `capture`.
     };
-    /// Draws and presents a frame. The shadows of `quality` are those of `scene`. Returns nothing if the window
-    /// has no size. With `capture` it waits for the frame and reads it back. Throws what Renderer::record()
-    /// throws; the next call then starts from new Vulkan objects.
+    /// Draws and presents a frame. The shadows of `quality` are those of `scene`. Returns nothing if the window has no
+    /// size. With `capture` it waits for the frame and reads it back; Error{bad_input} where the window's pictures
+    /// cannot be copied from. Throws what Renderer::record() throws; the next call then starts from new Vulkan objects.
     std::optional<Frame> draw(const ViewPicture& scene, const OverlayDrawing& overlay,
                               const FrameQuality& quality, bool capture = false);
 

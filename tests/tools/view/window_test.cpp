@@ -151,7 +151,7 @@ TEST_CASE("a window of no size has no image, and has one again when it has a siz
     Swapchain swapchain(device.context(), surface.get(), 1);
     CHECK_FALSE(swapchain.acquire(0, {0, 0}));
     CHECK_FALSE(swapchain.acquire(0, {k_width, 0}));
-    CHECK(swapchain.generation() == 0);
+    CHECK(swapchain.extent().width == 0);
     REQUIRE(swapchain.acquire(0, {k_width, k_height}));
     CHECK(swapchain.extent().width == k_width);
     CHECK(swapchain.extent().height == k_height);
