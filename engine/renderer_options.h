@@ -31,7 +31,8 @@ struct Outline {
 };
 
 struct RendererOptions {
-    /// As sampling_of() (sampling.h). 0: the device's default.
+    /// As sampling_of() (sampling.h): at most 8 samples, and fewer where the device has fewer. 0: the device's
+    /// default.
     std::uint32_t samples = 0;
     std::uint32_t scale = 0;
     /// Frames that may be recorded or submitted and not yet done, at least 1. Each takes its own ring slot of

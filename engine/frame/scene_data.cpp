@@ -32,6 +32,7 @@ constexpr float k_depth_slack = 1e-5f;
 
 // The first sample's location within a pixel (Vulkan's standard sample locations).
 glm::vec2 first_sample_place(std::uint32_t samples) {
+    if (samples == 8) return {0.5625f, 0.3125f};
     if (samples == 4) return {0.375f, 0.125f};
     return samples == 2 ? glm::vec2(0.75f, 0.75f) : glm::vec2(0.5f, 0.5f);
 }

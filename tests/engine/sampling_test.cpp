@@ -18,8 +18,12 @@
 namespace rimline {
 namespace {
 
+constexpr VkPhysicalDeviceLimits k_standard_places{.standardSampleLocations = VK_TRUE};
+
 TEST_CASE("GPUs take several samples, devices of the CPU type more pixels") {
-    DeviceContext context{.type = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU, .sample_counts = 1 | 2 | 4};
+    DeviceContext context{.limits = k_standard_places,
+                          .type = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU,
+                          .sample_counts = 1 | 2 | 4 | 8};
     CHECK(sampling_of(context, 0, 0) == Sampling{4, 1});
     CHECK(sampling_of(context, 0, 3) == Sampling{4, 3});
     context.type = VK_PHYSICAL_DEVICE_TYPE_CPU;
@@ -28,7 +32,7 @@ TEST_CASE("GPUs take several samples, devices of the CPU type more pixels") {
 }
 
 TEST_CASE("a sample count that the device lacks is replaced by the next smaller one it has") {
-    DeviceContext context{.sample_counts = 1 | 4};
+    DeviceContext context{.limits = k_standard_places, .sample_counts = 1 | 4};
     CHECK(sampling_of(context, 2, 1).samples == 1);
     CHECK(sampling_of(context, 4, 1).samples == 4);
     CHECK(sampling_of(context, 8, 1).samples == 4);
@@ -36,6 +40,18 @@ TEST_CASE("a sample count that the device lacks is replaced by the next smaller 
     CHECK(sampling_of(context, 4, 1).samples == 2);
     context.sample_counts = 1;
     CHECK(sampling_of(context, 4, 1).samples == 1);
+    context.sample_counts = 1 | 2 | 4 | 8 | 16;
+    CHECK(sampling_of(context, 8, 1).samples == 8);
+    CHECK(sampling_of(context, 7, 1).samples == 4);
+    CHECK(sampling_of(context, 16, 1).samples == 8);
+}
+
+TEST_CASE(
+    "where samples are not at the standard locations there is one, on more pixels by default") {
+    const DeviceContext context{.type = VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU,
+                                .sample_counts = 1 | 2 | 4 | 8};
+    CHECK(sampling_of(context, 0, 0) == Sampling{1, 2});
+    CHECK(sampling_of(context, 4, 1) == Sampling{1, 1});
 }
 
 // The mean difference, of the greatest of three channels, over the pixels whose neighbors differ by more than
