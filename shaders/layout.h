@@ -18,6 +18,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #define RIMLINE_ADDRESS(type) std::uint64_t
+#define RIMLINE_SHARED inline  // Of functions that both languages compile.
 namespace rimline::gpu {
 using uint = std::uint32_t;
 using glm::mat3;
@@ -28,6 +29,7 @@ using glm::vec4;
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_scalar_block_layout : require
 #define RIMLINE_ADDRESS(type) type
+#define RIMLINE_SHARED
 #endif
 
 // An edge for shadow casting and drawing. f0 traverses it from v0 to v1. In the list of all edges, f1 is

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "layout.h"
-#include "slot_arguments.glsl"
+#include "slot_arguments.h"
 
 // Scatters the writes of a change set into slots and face words, and writes the draw arguments for
 // the silhouette's size. Each place occurs only once (silhouette/hough/change_set.h), so any order is

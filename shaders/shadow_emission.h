@@ -17,10 +17,7 @@
 #include "layout.h"
 
 #ifdef __cplusplus
-#define RIMLINE_SHARED inline
 namespace rimline::gpu {
-#else
-#define RIMLINE_SHARED
 #endif
 
 struct VolumeCorner {

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "silhouette_job.h"
-#include "slot_arguments.glsl"
+#include "slot_arguments.h"
 
 // Step 3 of 4: replaces the tallies of groups by sums over all earlier groups, so that lists are in the
 // order of faces and edges. Workgroup 0 sums the edges' tallies, and workgroup 1 the faces'. Each then

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "composite_vert.h"
-#include "engine/vulkan/barrier.h"
+#include "engine/vulkan/image_barrier.h"
 #include "engine/vulkan/rounding.h"
 #include "visible_line_vert.h"
 #include "visible_surface_vert.h"
@@ -85,28 +85,20 @@ void record_target_barrier(Commands commands, std::span<const Image> targets,
     const bool begins = new_layout == VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
     constexpr VkPipelineStageFlags2 k_tests =
         VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
-    std::vector<VkImageMemoryBarrier2> barriers;
+    constexpr VkImageLayout k_drawn = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
+    constexpr StageAccess k_drawing{k_tests, VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT |
+                                                 VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT};
+    std::vector<ImageTransition> transitions;
     for (const Image& target : targets)
-        barriers.push_back(
-            {.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
-             .srcStageMask = begins ? k_tests | VK_PIPELINE_STAGE_2_COPY_BIT : k_tests,
-             .srcAccessMask = VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
-             .dstStageMask = begins ? k_tests : VK_PIPELINE_STAGE_2_COPY_BIT,
-             .dstAccessMask = begins ? VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT |
-                                           VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT
-                                     : VK_ACCESS_2_TRANSFER_READ_BIT,
-             .oldLayout = begins ? VK_IMAGE_LAYOUT_UNDEFINED
-                                 : VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL,
-             .newLayout = new_layout,
-             .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-             .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-             .image = target.handle(),
-             .subresourceRange = {target.aspects(), 0, 1, 0, 1}});
-    const VkDependencyInfo dependency{
-        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-        .imageMemoryBarrierCount = static_cast<std::uint32_t>(barriers.size()),
-        .pImageMemoryBarriers = barriers.data()};
-    commands->CmdPipelineBarrier2(commands, &dependency);
+        transitions.emplace_back(target, begins ? VK_IMAGE_LAYOUT_UNDEFINED : k_drawn, new_layout);
+    if (begins)
+        record_barrier(commands,
+                       {k_tests | VK_PIPELINE_STAGE_2_COPY_BIT,
+                        VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT},
+                       k_drawing, transitions);
+    else
+        record_barrier(commands, {k_tests, VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT},
+                       {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT}, transitions);
 }
 
 }  // namespace

@@ -23,9 +23,8 @@
 
 namespace rimline {
 
-/// Stencil values of a finished view.
+/// Stencil values of a finished view, beside 0.
 constexpr std::uint8_t k_stencil_nothing = 1;
-constexpr std::uint8_t k_stencil_hidden = 0;
 constexpr std::uint8_t k_stencil_visible = 0x80;
 
 /// What a batch of viewpoints is drawn from and into.

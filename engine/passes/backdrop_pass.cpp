@@ -14,17 +14,6 @@ namespace {
 
 constexpr const char* k_name = "depth of the backdrop";
 
-DescriptorSets make_sets(const DeviceContext& context, const VkSampler& sampler,
-                         std::uint32_t count) {
-    const VkDescriptorSetLayoutBinding binding{
-        .binding = 0,
-        .descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-        .descriptorCount = 1,
-        .stageFlags = VK_SHADER_STAGE_FRAGMENT_BIT,
-        .pImmutableSamplers = &sampler};
-    return DescriptorSets(context, k_name, {&binding, 1}, count);
-}
-
 }  // namespace
 
 BackdropPass::BackdropPass(const DeviceContext& context, const AttachmentFormats& formats,
@@ -32,7 +21,7 @@ BackdropPass::BackdropPass(const DeviceContext& context, const AttachmentFormats
     : vk_(context.vk.get()),
       formats_(formats),
       sampler_(make_sampler(context, k_name, VK_FILTER_NEAREST)),
-      sets_(make_sets(context, sampler_.get(), ring_slots)),
+      sets_(make_image_sets(context, k_name, sampler_.get(), 1, ring_slots)),
       layout_(make_pipeline_layout(context, k_name, sizeof(Constants), VK_SHADER_STAGE_FRAGMENT_BIT,
                                    {sets_.layout()})) {}
 

@@ -4,7 +4,7 @@
 #include <bit>
 
 #include "engine/vulkan/barrier.h"
-#include "shaders/layout.h"
+#include "shaders/slot_arguments.h"
 
 namespace rimline {
 
@@ -75,10 +75,7 @@ std::uint64_t ConsistencyCheck::take_differences(std::uint32_t ring_slot) {
         const auto size = static_cast<std::uint32_t>(state.slots.size());
         const auto arguments =
             std::bit_cast<std::array<std::uint32_t, sizeof(gpu::SlotArguments) / 4>>(
-                gpu::SlotArguments{.points = {size, 1, 0, 0},
-                                   .strips = {4, size, 0, 0},
-                                   .pointed_sides = {3 * size, 1, 0, 0},
-                                   .sides = {6 * size, 1, 0, 0}});
+                gpu::slot_arguments(size));
         count += count_differences(at, std::span<const std::uint32_t>(arguments));
         count += count_differences(at, std::span<const EdgeId>(state.slots));
         count += count_differences(at, std::span<const std::uint32_t>(state.words));

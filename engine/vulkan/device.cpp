@@ -115,10 +115,6 @@ DeviceFacts describe(const InstanceFunctions& vk, VkPhysicalDevice device, VkSur
     facts.conditional_rendering = features.conditional.conditionalRendering == VK_TRUE;
     facts.round_to_nearest_float32 = v12.shaderRoundingModeRTEFloat32 == VK_TRUE;
     facts.graphics_and_compute_queue = queues_of(vk, device).has_value();
-    const VkSampleCountFlags counts = common_samples(properties.properties.limits);
-    facts.samples = (counts & VK_SAMPLE_COUNT_4_BIT) != 0   ? 4
-                    : (counts & VK_SAMPLE_COUNT_2_BIT) != 0 ? 2
-                                                            : 1;
     facts.depth_stencil_format = has_depth_stencil_format(vk, device);
     return facts;
 }

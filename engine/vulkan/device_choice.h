@@ -38,8 +38,6 @@ struct DeviceFacts {
     /// RoundingModeRTE can be declared. Meshes that deform need it (Scene), and nothing else does.
     bool round_to_nearest_float32 = false;
     bool graphics_and_compute_queue = false;
-    /// Greatest sample count, at most 4, that the color, depth and stencil formats share.
-    std::uint32_t samples = 1;
     bool depth_stencil_format = false;  ///< D32S8 can be drawn to and sampled.
 };
 

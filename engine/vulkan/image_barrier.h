@@ -5,6 +5,7 @@
 #include <vulkan/vulkan.h>
 
 #include <initializer_list>
+#include <span>
 #include <vector>
 
 #include "engine/vulkan/barrier.h"
@@ -40,7 +41,7 @@ struct ImageTransition {
 
 /// Orders `from` before `to` for these images, and moves them to their new layouts.
 inline void record_barrier(Commands commands, StageAccess from, StageAccess to,
-                           std::initializer_list<ImageTransition> transitions) {
+                           std::span<const ImageTransition> transitions) {
     std::vector<VkImageMemoryBarrier2> images;
     for (const ImageTransition& t : transitions)
         images.push_back({.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
@@ -59,6 +60,11 @@ inline void record_barrier(Commands commands, StageAccess from, StageAccess to,
         .imageMemoryBarrierCount = static_cast<std::uint32_t>(images.size()),
         .pImageMemoryBarriers = images.data()};
     commands->CmdPipelineBarrier2(commands, &dependency);
+}
+inline void record_barrier(Commands commands, StageAccess from, StageAccess to,
+                           std::initializer_list<ImageTransition> transitions) {
+    record_barrier(commands, from, to,
+                   std::span<const ImageTransition>(transitions.begin(), transitions.size()));
 }
 
 }  // namespace rimline

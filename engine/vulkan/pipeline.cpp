@@ -1,6 +1,7 @@
 #include "engine/vulkan/pipeline.h"
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "engine/vulkan/debug_names.h"
@@ -85,6 +86,105 @@ VkStencilOpState stencil_state(const GraphicsPipelineDescription& description) {
             .reference = 0};
 }
 
+// The modules and the specialization constants of a pipeline's stages.
+class ShaderStages {
+public:
+    ShaderStages(const DeviceContext& context, const std::string& name,
+                 const GraphicsPipelineDescription& description) {
+        const auto add = [&](VkShaderStageFlagBits stage, SpirvCode code) {
+            if (code.empty()) return;
+            modules_.push_back(make_module(context, name, code));
+            stages_.push_back(stage_of(stage, modules_.back()));
+        };
+        add(VK_SHADER_STAGE_VERTEX_BIT, description.vertex);
+        add(VK_SHADER_STAGE_GEOMETRY_BIT, description.geometry);
+        add(VK_SHADER_STAGE_FRAGMENT_BIT, description.fragment);
+        for (std::uint32_t i = 0; i < description.fragment_constants.size(); ++i)
+            entries_.push_back({.constantID = i, .offset = 4 * i, .size = 4});
+        constants_ = {.mapEntryCount = static_cast<std::uint32_t>(entries_.size()),
+                      .pMapEntries = entries_.data(),
+                      .dataSize = description.fragment_constants.size_bytes(),
+                      .pData = description.fragment_constants.data()};
+        if (!entries_.empty()) stages_.back().pSpecializationInfo = &constants_;
+    }
+    ShaderStages(const ShaderStages&) = delete;
+    ShaderStages& operator=(const ShaderStages&) = delete;
+
+    std::span<const VkPipelineShaderStageCreateInfo> all() const noexcept { return stages_; }
+
+private:
+    std::vector<OwnedShaderModule> modules_;
+    std::vector<VkSpecializationMapEntry> entries_;
+    VkSpecializationInfo constants_{};
+    std::vector<VkPipelineShaderStageCreateInfo> stages_;
+};
+
+// The formats and the blending of a pipeline's color attachments.
+class ColorAttachments {
+public:
+    explicit ColorAttachments(const GraphicsPipelineDescription& description)
+        : count_(description.formats.color == VK_FORMAT_UNDEFINED
+                     ? 0
+                     : description.formats.color_count) {
+        RIMLINE_CHECK(count_ <= AttachmentFormats::k_max_colors);
+        states_.fill(blend_state(description.blend));
+        formats_.fill(description.formats.color);
+    }
+
+    // The structures point into this object.
+    VkPipelineColorBlendStateCreateInfo blend() const noexcept {
+        return {.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
+                .attachmentCount = count_,
+                .pAttachments = states_.data()};
+    }
+    VkPipelineRenderingCreateInfo rendering(VkFormat depth_stencil) const noexcept {
+        const bool has_stencil = (depth_aspects(depth_stencil) & VK_IMAGE_ASPECT_STENCIL_BIT) != 0;
+        return {.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
+                .colorAttachmentCount = count_,
+                .pColorAttachmentFormats = formats_.data(),
+                .depthAttachmentFormat = depth_stencil,
+                .stencilAttachmentFormat = has_stencil ? depth_stencil : VK_FORMAT_UNDEFINED};
+    }
+
+private:
+    std::uint32_t count_;
+    std::array<VkPipelineColorBlendAttachmentState, AttachmentFormats::k_max_colors> states_;
+    std::array<VkFormat, AttachmentFormats::k_max_colors> formats_;
+};
+
+VkPipelineRasterizationStateCreateInfo raster_state(
+    const GraphicsPipelineDescription& description) {
+    return {.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
+            .depthClampEnable = description.depth_clamp,
+            .polygonMode = VK_POLYGON_MODE_FILL,
+            .cullMode = description.cull,
+            .frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE,
+            .depthBiasEnable = description.depth_bias_slopes != 0.0f,
+            .depthBiasSlopeFactor = description.depth_bias_slopes,
+            .lineWidth = 1.0f};
+}
+
+VkPipelineDepthStencilStateCreateInfo depth_stencil_state(
+    const GraphicsPipelineDescription& description) {
+    const VkStencilOpState stencil = stencil_state(description);
+    return {.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
+            .depthTestEnable = description.formats.depth_stencil != VK_FORMAT_UNDEFINED,
+            .depthWriteEnable = description.depth_write,
+            .depthCompareOp = description.depth_compare,
+            .depthBoundsTestEnable = description.depth_bounds,
+            .stencilTestEnable = description.stencil != StencilUse::off,
+            .front = stencil,
+            .back = stencil};
+}
+
+std::vector<VkDynamicState> dynamic_states_of(const GraphicsPipelineDescription& description) {
+    std::vector<VkDynamicState> states{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
+    if (description.stencil == StencilUse::count) states.push_back(VK_DYNAMIC_STATE_STENCIL_OP);
+    if (description.depth_bounds) states.push_back(VK_DYNAMIC_STATE_DEPTH_BOUNDS);
+    if (description.sets_cull) states.push_back(VK_DYNAMIC_STATE_CULL_MODE);
+    return states;
+}
+
 }  // namespace
 
 OwnedPipelineLayout make_pipeline_layout(const DeviceContext& context, const std::string& name,
@@ -119,26 +219,7 @@ OwnedPipeline make_compute_pipeline(const DeviceContext& context, const std::str
 
 OwnedPipeline make_graphics_pipeline(const DeviceContext& context, const std::string& name,
                                      const GraphicsPipelineDescription& description) {
-    std::vector<OwnedShaderModule> modules;
-    std::vector<VkPipelineShaderStageCreateInfo> stages;
-    const auto add_stage = [&](VkShaderStageFlagBits stage, SpirvCode code) {
-        if (code.empty()) return;
-        modules.push_back(make_module(context, name, code));
-        stages.push_back(stage_of(stage, modules.back()));
-    };
-    add_stage(VK_SHADER_STAGE_VERTEX_BIT, description.vertex);
-    add_stage(VK_SHADER_STAGE_GEOMETRY_BIT, description.geometry);
-    add_stage(VK_SHADER_STAGE_FRAGMENT_BIT, description.fragment);
-    std::vector<VkSpecializationMapEntry> entries;
-    for (std::uint32_t i = 0; i < description.fragment_constants.size(); ++i)
-        entries.push_back({.constantID = i, .offset = 4 * i, .size = 4});
-    const VkSpecializationInfo constants{
-        .mapEntryCount = static_cast<std::uint32_t>(entries.size()),
-        .pMapEntries = entries.data(),
-        .dataSize = description.fragment_constants.size_bytes(),
-        .pData = description.fragment_constants.data()};
-    if (!entries.empty()) stages.back().pSpecializationInfo = &constants;
-
+    const ShaderStages stages(context, name, description);
     const VkPipelineVertexInputStateCreateInfo no_vertices{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
     const VkPipelineInputAssemblyStateCreateInfo assembly{
@@ -148,65 +229,26 @@ OwnedPipeline make_graphics_pipeline(const DeviceContext& context, const std::st
         .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO,
         .viewportCount = 1,
         .scissorCount = 1};
-    const VkPipelineRasterizationStateCreateInfo raster{
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
-        .depthClampEnable = description.depth_clamp,
-        .polygonMode = VK_POLYGON_MODE_FILL,
-        .cullMode = description.cull,
-        .frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE,
-        .depthBiasEnable = description.depth_bias_slopes != 0.0f,
-        .depthBiasSlopeFactor = description.depth_bias_slopes,
-        .lineWidth = 1.0f};
+    const VkPipelineRasterizationStateCreateInfo raster = raster_state(description);
     const AttachmentFormats& formats = description.formats;
     const VkPipelineMultisampleStateCreateInfo multisample{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
         .rasterizationSamples = static_cast<VkSampleCountFlagBits>(formats.samples),
         .pSampleMask = &description.sample_mask};
-    const VkStencilOpState stencil = stencil_state(description);
-    const VkPipelineDepthStencilStateCreateInfo depth_stencil{
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
-        .depthTestEnable = formats.depth_stencil != VK_FORMAT_UNDEFINED,
-        .depthWriteEnable = description.depth_write,
-        .depthCompareOp = description.depth_compare,
-        .depthBoundsTestEnable = description.depth_bounds,
-        .stencilTestEnable = description.stencil != StencilUse::off,
-        .front = stencil,
-        .back = stencil};
-    const std::uint32_t color_count =
-        formats.color == VK_FORMAT_UNDEFINED ? 0 : formats.color_count;
-    RIMLINE_CHECK(color_count <= AttachmentFormats::k_max_colors);
-    std::array<VkPipelineColorBlendAttachmentState, AttachmentFormats::k_max_colors> attachments;
-    attachments.fill(blend_state(description.blend));
-    std::array<VkFormat, AttachmentFormats::k_max_colors> color_formats;
-    color_formats.fill(formats.color);
-    const VkPipelineColorBlendStateCreateInfo blend{
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
-        .attachmentCount = color_count,
-        .pAttachments = attachments.data()};
-    std::vector<VkDynamicState> dynamic_states{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
-    if (description.stencil == StencilUse::count) {
-        dynamic_states.push_back(VK_DYNAMIC_STATE_STENCIL_OP);
-    }
-    if (description.depth_bounds) dynamic_states.push_back(VK_DYNAMIC_STATE_DEPTH_BOUNDS);
-    if (description.sets_cull) dynamic_states.push_back(VK_DYNAMIC_STATE_CULL_MODE);
+    const VkPipelineDepthStencilStateCreateInfo depth_stencil = depth_stencil_state(description);
+    const ColorAttachments colors(description);
+    const std::vector<VkDynamicState> dynamic_states = dynamic_states_of(description);
     const VkPipelineDynamicStateCreateInfo dynamic{
         .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
         .dynamicStateCount = static_cast<std::uint32_t>(dynamic_states.size()),
         .pDynamicStates = dynamic_states.data()};
-    const VkPipelineRenderingCreateInfo rendering{
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
-        .colorAttachmentCount = color_count,
-        .pColorAttachmentFormats = color_formats.data(),
-        .depthAttachmentFormat = formats.depth_stencil,
-        .stencilAttachmentFormat =
-            (depth_aspects(formats.depth_stencil) & VK_IMAGE_ASPECT_STENCIL_BIT) != 0
-                ? formats.depth_stencil
-                : VK_FORMAT_UNDEFINED};
+    const VkPipelineColorBlendStateCreateInfo blend = colors.blend();
+    const VkPipelineRenderingCreateInfo rendering = colors.rendering(formats.depth_stencil);
     const VkGraphicsPipelineCreateInfo info{
         .sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
         .pNext = &rendering,
-        .stageCount = static_cast<std::uint32_t>(stages.size()),
-        .pStages = stages.data(),
+        .stageCount = static_cast<std::uint32_t>(stages.all().size()),
+        .pStages = stages.all().data(),
         .pVertexInputState = &no_vertices,
         .pInputAssemblyState = &assembly,
         .pViewportState = &viewport,

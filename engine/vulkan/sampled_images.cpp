@@ -25,27 +25,24 @@ OwnedSampler make_sampler(const DeviceContext& context, const std::string& name,
                                             .addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE});
 }
 
-namespace {
-
-DescriptorSets make_set(const DeviceContext& context, const std::string& name, std::uint32_t count,
-                        const VkSampler& sampler) {
-    std::vector<VkDescriptorSetLayoutBinding> bindings(count);
-    for (std::uint32_t i = 0; i < count; ++i)
-        bindings[i] = {.binding = i,
-                       .descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-                       .descriptorCount = 1,
-                       .stageFlags = VK_SHADER_STAGE_FRAGMENT_BIT,
-                       .pImmutableSamplers = &sampler};
-    return DescriptorSets(context, name, bindings, 1);
+DescriptorSets make_image_sets(const DeviceContext& context, const std::string& name,
+                               const VkSampler& sampler, std::uint32_t bindings,
+                               std::uint32_t sets) {
+    std::vector<VkDescriptorSetLayoutBinding> all(bindings);
+    for (std::uint32_t i = 0; i < bindings; ++i)
+        all[i] = {.binding = i,
+                  .descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                  .descriptorCount = 1,
+                  .stageFlags = VK_SHADER_STAGE_FRAGMENT_BIT,
+                  .pImmutableSamplers = &sampler};
+    return DescriptorSets(context, name, all, sets);
 }
-
-}  // namespace
 
 SampledImages::SampledImages(const DeviceContext& context, const std::string& name,
                              std::uint32_t count, VkFilter filter)
     : vk_(context.vk.get()),
       sampler_(make_sampler(context, name, filter)),
-      sets_(make_set(context, name, count, sampler_.get())) {}
+      sets_(make_image_sets(context, name, sampler_.get(), count, 1)) {}
 
 void SampledImages::set(std::initializer_list<const Image*> images) {
     std::vector<VkDescriptorImageInfo> infos;

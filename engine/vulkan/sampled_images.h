@@ -16,6 +16,12 @@ OwnedSampler make_sampler(const DeviceContext& context, const std::string& name,
 /// Nearest or linear, within the image.
 OwnedSampler make_sampler(const DeviceContext& context, const std::string& name, VkFilter filter);
 
+/// `sets` descriptor sets of `bindings` images each for fragment shaders, all with this sampler, which must outlive
+/// them.
+DescriptorSets make_image_sets(const DeviceContext& context, const std::string& name,
+                               const VkSampler& sampler, std::uint32_t bindings,
+                               std::uint32_t sets);
+
 class SampledImages {
 public:
     /// The name is for debug_names.h. VK_FILTER_LINEAR is valid for color images only.

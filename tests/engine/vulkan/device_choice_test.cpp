@@ -21,7 +21,6 @@ DeviceFacts complete(std::string name, VkPhysicalDeviceType type) {
             .synchronization2 = true,
             .maintenance4 = true,
             .graphics_and_compute_queue = true,
-            .samples = 4,
             .depth_stencil_format = true};
 }
 
