@@ -128,7 +128,7 @@ TEST_CASE("lines have the color of their ink, and those without one that of the 
     CHECK(contains(pdf, "[2 1] 0 d 0 0 1 RG\n0.2 G\n1 48 m\n"));
     // Solid hidden lines are gray.
     drawing.dashes_hidden = false;
-    drawing.lines[1].ink = tools::k_no_material_ink;
+    drawing.lines[1].ink = k_no_material_ink;
     CHECK(contains(drawing_svg(drawing), R"x(stroke="rgb(128,128,128)")x"));
     CHECK(contains(drawing_pdf(drawing), "1 J 0.502 G\n1 48 m\n"));
 }

@@ -226,7 +226,7 @@ TEST_CASE("lines are divided where their ink changes, forwards and backwards") {
             if (is_reversed) std::swap(lines[0], lines[2]);
             CHECK(lines[0].ink == 0);
             CHECK(lines[1].ink == 1);
-            CHECK(lines[2].ink == tools::k_no_material_ink);
+            CHECK(lines[2].ink == k_no_material_ink);
             for (std::size_t i = 0; i < 3; ++i) {
                 Points expected{{double(i), 0}, {double(i) + 1.0, 0}};
                 if (is_reversed) std::swap(expected[0], expected[1]);
