@@ -2,16 +2,18 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <limits>
 
+#include "silhouette/error.h"
 #include "silhouette/lines/exact_signs.h"
 
 namespace rimline {
 
 namespace {
 
-// Lines that bend by more than 120 degrees from each other are not one line where several meet.
-constexpr double k_max_cos_of_ways = 0.5;
+// Lines that bend by 120 degrees or more from each other are not one line where several meet: the greatest double
+// below the cosine of the angle between them.
+constexpr double k_max_cos_of_ways = 0x1.fffffffffffffp-2;
+constexpr std::uint64_t k_way_pairs_a_checkpoint = 1u << 20;
 
 }  // namespace
 
@@ -20,12 +22,17 @@ void LineLinks::link(LineEnd a, LineEnd b) noexcept {
     next_[b] = a;
 }
 
-void LineLinks::find(const LineFrame& frame, SmoothNormals& normals) {
+void LineLinks::find(const LineFrame& frame, SmoothNormals& normals, const std::stop_token& stop) {
+    std::uint64_t last_pairs = straightest_.pairs();
     next_.assign(2 * frame.lines.size(), k_no_end);
     const std::size_t nodes = frame.end_begin.size() - 1;
     const auto is_drawn = [&](LineEnd end) { return frame.lines[end / 2].is_drawn; };
     const auto kind_of = [&](LineEnd end) { return frame.lines[end / 2].kind; };
     for (std::uint32_t node = 0; node < nodes; ++node) {
+        if (straightest_.pairs() - last_pairs >= k_way_pairs_a_checkpoint) {
+            LongCall{stop, {}}.checkpoint(0.0);
+            last_pairs = straightest_.pairs();
+        }
         const std::span<const LineEnd> ends = frame.ends_at(node);
         if (ends.size() == 2) {  // As most have.
             if (is_drawn(ends[0]) && is_drawn(ends[1]) && kind_of(ends[0]) == kind_of(ends[1]))
@@ -95,20 +102,8 @@ void LineLinks::link_best(const LineFrame& frame) {
         const glm::dvec2 way = flat.ends[1 - end % 2] - flat.ends[end % 2];
         ways_.push_back(way / std::max(glm::length(way), 1e-300));
     }
-    for (;;) {
-        double least = k_max_cos_of_ways;
-        std::size_t first = 0, second = 0;
-        for (std::size_t i = 0; i < ends_.size(); ++i) {
-            if (next_[ends_[i]] != k_no_end) continue;
-            for (std::size_t j = i + 1; j < ends_.size(); ++j) {
-                if (next_[ends_[j]] != k_no_end) continue;
-                const double cos = glm::dot(ways_[i], ways_[j]);
-                if (cos < least) least = cos, first = i, second = j;
-            }
-        }
-        if (first == second) return;
-        link(ends_[first], ends_[second]);
-    }
+    straightest_.each(std::span<const glm::dvec2>(ways_), k_max_cos_of_ways,
+                      [&](std::size_t i, std::size_t j) { link(ends_[i], ends_[j]); });
 }
 
 }  // namespace rimline

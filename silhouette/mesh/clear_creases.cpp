@@ -12,6 +12,7 @@
 #include "silhouette/error.h"
 #include "silhouette/mesh/disjoint_sets.h"
 #include "silhouette/mesh/edge_convexity.h"
+#include "silhouette/mesh/straightest_pairs.h"
 
 namespace rimline {
 
@@ -128,30 +129,22 @@ private:
     // Links the ends at each vertex in pairs, the straightest first.
     void link() {
         const std::vector<std::uint32_t> ends = ends_by_vertex();
-        struct Pair {
-            double cos;
-            std::uint32_t a, b;
-        };
-        std::vector<Pair> pairs;
-        std::size_t last_checkpoint = 0;
+        StraightestPairs straightest;
+        std::vector<glm::dvec3> ways;
+        std::uint64_t last_work = 0;
         for (std::size_t i = 0; i < ends.size();) {
-            if (i >= last_checkpoint + k_between_checkpoints)
-                call_.checkpoint(0.0), last_checkpoint = i;
-            std::size_t last = i + 1;
-            while (last < ends.size() && vertex_of(ends[last]) == vertex_of(ends[i])) ++last;
-            pairs.clear();
-            for (std::size_t a = i; a < last; ++a)
-                for (std::size_t b = a + 1; b < last; ++b) {
-                    const double cos =
-                        glm::dot(glm::normalize(way_of(ends[a])), glm::normalize(way_of(ends[b])));
-                    if (cos <= k_max_cos_of_ways) pairs.push_back({cos, ends[a], ends[b]});
-                }
-            std::ranges::stable_sort(pairs, {}, [](const Pair& pair) { return pair.cos; });
-            for (const Pair& pair : pairs) {
-                if (next_[pair.a] != k_no_end || next_[pair.b] != k_no_end) continue;
-                next_[pair.a] = pair.b;
-                next_[pair.b] = pair.a;
-            }
+            if (const std::uint64_t work = i + straightest.pairs();
+                work >= last_work + k_between_checkpoints)
+                call_.checkpoint(0.0), last_work = work;
+            std::size_t last = i;
+            ways.clear();
+            for (; last < ends.size() && vertex_of(ends[last]) == vertex_of(ends[i]); ++last)
+                ways.push_back(glm::normalize(way_of(ends[last])));
+            straightest.each(std::span<const glm::dvec3>(ways), k_max_cos_of_ways,
+                             [&](std::size_t a, std::size_t b) {
+                                 next_[ends[i + a]] = ends[i + b];
+                                 next_[ends[i + b]] = ends[i + a];
+                             });
             i = last;
         }
     }

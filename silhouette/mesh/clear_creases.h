@@ -10,7 +10,8 @@
 //           those of machine parts, all.
 //   strong  Edges that go on straight into each other form a chain that is long, or short and sharp: the sum over
 //           its edges of length * (bend / 30 degrees)^2 is at least 15% of the radius of the part of the mesh that
-//           edges connect with it: a small house in a large scene has its edges.
+//           edges connect with it: a small house in a large scene has its edges. At a vertex of more than 1024 creases
+//           none goes on into another.
 //
 // A chain stands out when it is strong and at least 70% of its length is clear.
 
@@ -24,7 +25,8 @@
 namespace rimline {
 
 /// Those of `creases` that stand out, in their order. `creases` are of find_creases(): all that bend by some angle;
-/// 30 degrees is a good one. Throws Error{cancelled} when `stop` is requested. O(n log n).
+/// 30 degrees is a good one. Throws Error{cancelled} when `stop` is requested. O(n log n), and
+/// as StraightestPairs at vertices of many creases.
 std::vector<Crease> clear_creases(const Mesh& mesh, std::span<const Crease> creases,
                                   const std::stop_token& stop = {});
 
