@@ -4,14 +4,23 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "silhouette/error.h"
 #include "silhouette/lines/line_simplify.h"
 
 namespace rimline {
 
+namespace {
+
+constexpr std::uint32_t k_lines_a_checkpoint = 1u << 16;
+
+}  // namespace
+
 void LineChains::make(const LineFrame& frame, const CoveredStretches& covered,
-                      const LineOptions& options, LineDrawing& drawing) {
+                      const LineOptions& options, LineDrawing& drawing,
+                      const std::stop_token& stop) {
     normals_.begin(frame);
-    links_.find(frame, normals_);
+    links_.find(frame, normals_, stop);
+    const LongCall call{stop, {}};
     is_smooth_ = options.smooth > 0.0;
     if (is_smooth_) contour_.begin(frame, options.smooth, options.crease_angle_rad, normals_);
     last_node_ = k_no_vertex;
@@ -19,11 +28,13 @@ void LineChains::make(const LineFrame& frame, const CoveredStretches& covered,
     chain_of_line_.assign(frame.lines.size(), k_no_chain);
     // Open chains from their ends, then closed ones.
     for (const bool is_closed : {false, true})
-        for (std::uint32_t i = 0; i < frame.lines.size(); ++i)
+        for (std::uint32_t i = 0; i < frame.lines.size(); ++i) {
+            if (i % k_lines_a_checkpoint == 0) call.checkpoint(0.0);
             for (std::uint32_t k = 0; k < 2; ++k)
                 if (is_done_[i] == 0 && frame.lines[i].is_drawn &&
                     (is_closed || links_.next(2 * i + k) == k_no_end))
                     follow(frame, 2 * i + k, is_closed, covered, options, drawing);
+        }
 }
 
 void LineChains::follow(const LineFrame& frame, LineEnd first_end, bool is_closed,
@@ -72,7 +83,8 @@ void LineChains::add_line(const LineFrame& frame, LineEnd entered_at,
     const EdgeId edge =
         frame.lines[line].is_intersection() ? k_no_edge : EdgeId{frame.lines[line].source};
     bool is_first = true;
-    const auto add = [&](double share_in_picture, std::int32_t count, bool is_covered) {
+    const auto add = [&](double share_in_picture, std::int32_t count, bool is_covered,
+                         bool ends_line = false) {
         const double share = flat.share_in_space(share_in_picture, is_orthographic);
         ChainPoint& added = points_.emplace_back();
         const LinePoint* const last = points_.size() > 1 ? &(&added)[-1].point : nullptr;
@@ -88,6 +100,7 @@ void LineChains::add_line(const LineFrame& frame, LineEnd entered_at,
         added.source = {edge, static_cast<float>(share)};
         added.count = count;
         added.is_covered = is_covered;
+        added.ends_line = ends_line;
         added.shift = glm::mix(shifts[0], shifts[1], share_in_picture);
     };
     const std::span<const LineEvent> events = frame.events_of(line);
@@ -111,7 +124,7 @@ void LineChains::add_line(const LineFrame& frame, LineEnd entered_at,
             }
             if (k < events.size()) count += events[k].jump;
         }
-        add(1.0, count, false);
+        add(1.0, count, false, true);
         return;
     }
     std::int32_t count = frame.first_counts[line];
@@ -131,7 +144,7 @@ void LineChains::add_line(const LineFrame& frame, LineEnd entered_at,
         }
         if (k > 0) count -= events[k - 1].jump;
     }
-    add(0.0, count, false);
+    add(0.0, count, false, true);
 }
 
 // Whether a piece of the line is visible.
@@ -198,9 +211,7 @@ void LineChains::split(bool is_closed, const LineOptions& options) {
     pieces_.clear();
     for (std::uint32_t i = 0; i + 1 < points_.size(); ++i) {
         const ChainPoint& from = points_[i];
-        // The last point of a line and the first of the next are at one place.
-        if (points_[i + 1].point.arc == from.point.arc && !pieces_.empty() &&
-            points_[i + 1].source.edge != from.source.edge) {
+        if (from.ends_line && !pieces_.empty()) {
             pieces_.back().last = i + 1;
             continue;
         }
@@ -235,9 +246,7 @@ bool LineChains::rotate_to_change_of(bool counts) {
     std::size_t start = 0;
     auto last = state(points_[count - 1]);
     for (std::size_t i = 0; i < count; ++i) {
-        const bool is_end_of_line = points_[i + 1].point.arc == points_[i].point.arc &&
-                                    points_[i + 1].source.edge != points_[i].source.edge;
-        if (is_end_of_line) continue;
+        if (points_[i].ends_line) continue;
         if (state(points_[i]) != last && i > 0) {
             start = i;
             break;

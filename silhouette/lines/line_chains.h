@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "silhouette/lines/coincident_lines.h"
@@ -22,9 +23,9 @@ namespace rimline {
 class LineChains {
 public:
     /// Sets points, sources, runs and chains of the drawing. Covered stretches are left out. O(lines + events),
-    /// and as LineLinks::find().
+    /// and as LineLinks::find(). Throws Error{cancelled}.
     void make(const LineFrame& frame, const CoveredStretches& covered, const LineOptions& options,
-              LineDrawing& drawing);
+              LineDrawing& drawing, const std::stop_token& stop = {});
 
     /// The chain of each line of the frame, or k_no_chain. Valid until the next call of make().
     std::span<const std::uint32_t> chain_of_line() const noexcept { return chain_of_line_; }
@@ -36,6 +37,7 @@ private:
         LineSource source;
         std::int32_t count;  // Invisibility up to the next point.
         bool is_covered;     // Up to the next point: drawn by another line.
+        bool ends_line;      // The next point is the first of the next line, at the same place.
         glm::dvec2 shift;    // Of LineOptions::smooth.
     };
     // Points [first, last] of a chain.
