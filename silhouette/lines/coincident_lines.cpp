@@ -5,17 +5,30 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "silhouette/error.h"
+#include "silhouette/lines/cross_2d.h"
+
 namespace rimline {
 
 namespace {
 
 constexpr double k_shifts = 4.0;
+constexpr std::size_t k_parallels_a_checkpoint = 1u << 16;
 // Nearer than this many radii, things of a mesh lie in front of each other by as much as they are far away.
 constexpr double k_near_radii = 4.0;
 // In tolerances. Lines that turn from each other are near to each other on a stretch of one tolerance over the turn.
 constexpr double k_min_stretch = 100.0;
+// A line is seen end-on where its picture is at most this long for what it extends along the view.
+constexpr double k_max_slope_end_on = 1.0 / 16.0;
 
-double cross_of(const glm::dvec2& u, const glm::dvec2& v) { return u.x * v.y - u.y * v.x; }
+// A line whose picture is as short may also be a short line, as those of a small thing in a large scene are.
+bool is_end_on(const FlatLine& flat, bool is_orthographic, double tolerance) {
+    const double length = glm::length(flat.ends[1] - flat.ends[0]);
+    if (length > tolerance) return false;
+    const double depth = std::abs(flat.depths[1] - flat.depths[0]);
+    const double nearest = std::min(flat.depths[0], flat.depths[1]);
+    return length * (is_orthographic ? 1.0 : nearest) <= k_max_slope_end_on * depth;
+}
 
 }  // namespace
 
@@ -30,7 +43,7 @@ double coincidence_tolerance(const LineFrame& frame) {
 
 bool may_coincide(const FlatLine& a, const FlatLine& b, double tolerance) noexcept {
     const glm::dvec2 u = a.ends[1] - a.ends[0], v = b.ends[1] - b.ends[0];
-    const double turn = cross_of(u, v), uu = glm::dot(u, u), vv = glm::dot(v, v);
+    const double turn = cross_2d(u, v), uu = glm::dot(u, u), vv = glm::dot(v, v);
     constexpr double k_max_sine = 2.0 / k_min_stretch;
     if (turn * turn > k_max_sine * k_max_sine * uu * vv) return false;
     // Lines of a chain follow each other. cover() wants an overlap of two tolerances along one of the two, of which
@@ -43,8 +56,8 @@ bool may_coincide(const FlatLine& a, const FlatLine& b, double tolerance) noexce
     // Whether the line through one of them comes near to the other.
     const auto is_near = [&](const FlatLine& line, const glm::dvec2& way, double square,
                              const FlatLine& other) {
-        const double p = cross_of(way, other.ends[0] - line.ends[0]);
-        const double q = cross_of(way, other.ends[1] - line.ends[0]);
+        const double p = cross_2d(way, other.ends[0] - line.ends[0]);
+        const double q = cross_2d(way, other.ends[1] - line.ends[0]);
         const double least = (p > 0.0) == (q > 0.0) ? std::min(std::abs(p), std::abs(q)) : 0.0;
         return least * least <= tolerance * tolerance * square;
     };
@@ -77,7 +90,7 @@ void CoincidentLines::cover(const Stretch& own, const Stretch& other, double tol
     if (own.length <= tolerance) return;
     const glm::dvec2 along = (own.ends[1] - own.ends[0]) / own.length;
     const glm::dvec2 a = other.ends[0] - own.ends[0], b = other.ends[1] - own.ends[0];
-    if (std::abs(cross_of(along, a)) > tolerance || std::abs(cross_of(along, b)) > tolerance)
+    if (std::abs(cross_2d(along, a)) > tolerance || std::abs(cross_2d(along, b)) > tolerance)
         return;
     double first = glm::dot(along, a), last = glm::dot(along, b);
     if (first > last) std::swap(first, last);
@@ -92,20 +105,26 @@ void CoincidentLines::cover(const Stretch& own, const Stretch& other, double tol
                       last >= own.length - tolerance ? own.end : share_at(last)});
 }
 
-void CoincidentLines::find(LineFrame& frame, CoveredStretches& covered) {
+void CoincidentLines::find(LineFrame& frame, CoveredStretches& covered,
+                           const std::stop_token& stop) {
     covered.clear();
     found_.clear();
     const double tolerance = coincidence_tolerance(frame);
     for (std::uint32_t i = 0; i < frame.lines.size(); ++i) {
-        const auto& [a, b] = frame.flats[i].ends;
-        // Seen end-on: a point.
-        if (frame.lines[i].is_drawn && glm::length(b - a) <= tolerance)
+        // Its picture is a point.
+        if (frame.lines[i].is_drawn &&
+            is_end_on(frame.flats[i], frame.view->is_orthographic(), tolerance))
             found_.push_back({i, 0.0, 1.0});
     }
     std::sort(frame.parallels.begin(), frame.parallels.end());
     const auto last = std::unique(frame.parallels.begin(), frame.parallels.end());
     frame.parallels.erase(last, frame.parallels.end());
+    std::size_t until_checkpoint = 0;
     for (const auto& [i, j] : frame.parallels) {
+        if (until_checkpoint-- == 0) {
+            LongCall{stop, {}}.checkpoint(0.0);
+            until_checkpoint = k_parallels_a_checkpoint;
+        }
         find_stretches(frame, i, stretches_);
         find_stretches(frame, j, others_);
         // Of two that are both visible or both hidden the first stays.

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "silhouette/lines/line_frame.h"
@@ -47,8 +48,8 @@ private:
 
 class CoincidentLines {
 public:
-    /// Of the frame's parallels. O(lines + parallels log parallels).
-    void find(LineFrame& frame, CoveredStretches& covered);
+    /// Of the frame's parallels. O(lines + parallels log parallels). Throws Error{cancelled}.
+    void find(LineFrame& frame, CoveredStretches& covered, const std::stop_token& stop = {});
 
 private:
     // A piece of a line of one visibility.

@@ -6,7 +6,9 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "silhouette/error.h"
 #include "silhouette/lines/coincident_lines.h"
+#include "silhouette/lines/cross_2d.h"
 #include "silhouette/lines/exact_signs.h"
 #include "silhouette/lines/local_rule.h"
 
@@ -15,10 +17,10 @@ namespace rimline {
 namespace {
 
 constexpr std::uint32_t k_no_line = 0xffffffffu;
+// A line may meet all others in the picture.
+constexpr std::uint32_t k_lines_a_stop_test = 64;
 // In radii: of a segment of an intersection and a line so near to each other in depth, either may lie in front.
 constexpr double k_depth_slack = 0x1p-40;
-
-double cross_2d(const glm::dvec2& u, const glm::dvec2& v) { return u.x * v.y - u.y * v.x; }
 
 double length_1(const glm::dvec2& u) { return std::abs(u.x) + std::abs(u.y); }
 
@@ -86,7 +88,8 @@ void LineEvents::fill_tree(const LineFrame& frame, double margin) {
     tree_.finish();
 }
 
-void LineEvents::find_crossings(LineFrame& frame, bool finds_parallels) {
+void LineEvents::find_crossings(LineFrame& frame, bool finds_parallels,
+                                const std::stop_token& stop) {
     // Lines that coincide lie beside each other by up to the tolerance, and so may their boxes.
     const double tolerance = coincidence_tolerance(frame);
     fill_tree(frame, finds_parallels ? tolerance : 0.0);
@@ -97,8 +100,12 @@ void LineEvents::find_crossings(LineFrame& frame, bool finds_parallels) {
         const auto& others = frame.flats[other].depths;
         return line > other && std::min(own[0], own[1]) <= std::max(others[0], others[1]);
     };
+    const LongCall call{stop, {}};
     tree_.each_pair([&](std::uint32_t line, std::uint32_t other) {
-        if (line == other) return;
+        if (line == other) {
+            if (line % k_lines_a_stop_test == 0) call.checkpoint(0.0);
+            return;
+        }
         if (finds_parallels && frame.lines[line].is_drawn && frame.lines[other].is_drawn &&
             !meets_again(line, other) &&
             may_coincide(frame.flats[line], frame.flats[other], tolerance))
@@ -317,11 +324,11 @@ void LineEvents::sort(LineFrame& frame) {
                   });
 }
 
-void LineEvents::find(LineFrame& frame, bool finds_parallels) {
+void LineEvents::find(LineFrame& frame, bool finds_parallels, const std::stop_token& stop) {
     found_.clear();
     frame.parallels.clear();
     if (!frame.lines.empty()) {
-        find_crossings(frame, finds_parallels);
+        find_crossings(frame, finds_parallels, stop);
         find_contacts(frame);
         add_passages(frame);
     }

@@ -6,6 +6,7 @@
 // than right of it. Besides, a line changes where it meets faces that are not its own (FaceContacts).
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "silhouette/lines/line_frame.h"
@@ -16,12 +17,12 @@ namespace rimline {
 class LineEvents {
 public:
     /// Sets event_begin and events of the frame; and, if asked for, its parallels. O(lines log lines + pairs of lines
-    /// whose boxes meet in the picture).
-    void find(LineFrame& frame, bool finds_parallels);
+    /// whose boxes meet in the picture). Throws Error{cancelled}.
+    void find(LineFrame& frame, bool finds_parallels, const std::stop_token& stop = {});
 
 private:
     void fill_tree(const LineFrame& frame, double margin);
-    void find_crossings(LineFrame& frame, bool finds_parallels);
+    void find_crossings(LineFrame& frame, bool finds_parallels, const std::stop_token& stop);
     void cross(LineFrame& frame, std::uint32_t line, std::uint32_t occluder);
     void find_contacts(LineFrame& frame);
     void add_piercings(LineFrame& frame);
