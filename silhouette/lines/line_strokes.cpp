@@ -5,9 +5,11 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
 
+#include "silhouette/error.h"
 #include "silhouette/lines/cut_part.h"
 
 namespace rimline {
@@ -24,6 +26,7 @@ constexpr double k_min_cos_of_gap = -0.3;
 // Runs overlap by at most this. Where they do, each lies no farther from the other than that, and one of them ends no
 // farther than half of it. Of the gap.
 constexpr double k_max_overlap = 6.0, k_max_aside = 1.0;
+constexpr std::size_t k_ends_a_checkpoint = 1u << 12;
 
 // A chain that is closed but for what is covered by another is none.
 bool is_loop(const LineDrawing& drawing, const LineRun& run) {
@@ -77,18 +80,52 @@ void LineStrokes::find_ends(double gap, const LineDrawing& drawing) {
     });
 }
 
+// Rows, and not x alone, because many ends may lie on one line along y: those of the slats of a blind.
+void LineStrokes::find_rows(double height) {
+    double farthest = 0.0;
+    for (const RunEnd& end : ends_) farthest = std::max(farthest, std::abs(end.position.y));
+    // So much higher that ends of this distance never lie more than a row apart, whatever is rounded.
+    const double row_height = std::max(1.01 * height, farthest * 0x1p-40);
+    row_numbers_.clear();
+    for (const RunEnd& end : ends_)
+        row_numbers_.push_back(row_height > 0.0 ? std::floor(end.position.y / row_height) : 0.0);
+    row_ends_.resize(ends_.size());
+    std::iota(row_ends_.begin(), row_ends_.end(), std::size_t{0});
+    std::sort(row_ends_.begin(), row_ends_.end(), [&](std::size_t a, std::size_t b) {
+        return row_numbers_[a] != row_numbers_[b] ? row_numbers_[a] < row_numbers_[b] : a < b;
+    });
+    rows_.clear();
+    row_of_.resize(ends_.size());
+    for (std::size_t k = 0; k < row_ends_.size(); ++k) {
+        const double number = row_numbers_[row_ends_[k]];
+        if (rows_.empty() || rows_.back().number != number) rows_.push_back({number, k, k});
+        rows_.back().last = k + 1;
+        row_of_[row_ends_[k]] = rows_.size() - 1;
+    }
+}
+
+template <typename Visit>
+bool LineStrokes::any_beside(std::size_t i, double reach, Visit&& visit) const {
+    const double x = ends_[i].position.x, number = rows_[row_of_[i]].number;
+    const std::size_t own = row_of_[i];
+    for (std::size_t r = own > 0 ? own - 1 : 0; r < std::min(own + 2, rows_.size()); ++r) {
+        if (std::abs(rows_[r].number - number) > 1.0) continue;
+        const std::span<const std::size_t> row =
+            std::span(row_ends_).subspan(rows_[r].first, rows_[r].last - rows_[r].first);
+        const auto here = std::ranges::lower_bound(row, i);
+        for (auto k = here; k != row.begin() && x - ends_[k[-1]].position.x <= reach; --k)
+            if (visit(k[-1])) return true;
+        for (auto k = here; k != row.end() && ends_[*k].position.x - x <= reach; ++k)
+            if (*k != i && visit(*k)) return true;
+    }
+    return false;
+}
+
 bool LineStrokes::is_corner(std::size_t i, std::size_t j, double gap) const {
     const double touch = k_touch * gap;
-    const auto is_third = [&](std::size_t k) {
-        return k != i && k != j &&
-               glm::length(ends_[k].position - ends_[i].position) <= 2.0 * touch;
-    };
-    const double x = ends_[i].position.x;
-    for (std::size_t k = i; k > 0 && x - ends_[k - 1].position.x <= 2.0 * touch; --k)
-        if (is_third(k - 1)) return false;
-    for (std::size_t k = i + 1; k < ends_.size() && ends_[k].position.x - x <= 2.0 * touch; ++k)
-        if (is_third(k)) return false;
-    return true;
+    return !any_beside(i, 2.0 * touch, [&](std::size_t k) {
+        return k != j && glm::length(ends_[k].position - ends_[i].position) <= 2.0 * touch;
+    });
 }
 
 // The place of the run nearest to this one, on the last stretch of this length before the end.
@@ -169,15 +206,19 @@ void LineStrokes::add_overlap(const RunEnd& a, const RunEnd& b, double gap,
     pairs_.push_back({cuts[0].score + 0.25 * distance / gap, a.end, b.end, cuts});
 }
 
-void LineStrokes::find_pairs(double gap, const LineDrawing& drawing) {
+void LineStrokes::find_pairs(double gap, const LineDrawing& drawing, const std::stop_token& stop) {
     pairs_.clear();
     const double reach = k_max_overlap * gap;
-    for (std::size_t i = 0; i < ends_.size(); ++i)
-        for (std::size_t j = i + 1; j < ends_.size(); ++j) {
-            const glm::dvec2 way = ends_[j].position - ends_[i].position;
-            if (way.x > reach) break;
-            if (std::abs(way.y) <= reach) add_pair(i, j, gap, drawing);
-        }
+    find_rows(reach);
+    const LongCall call{stop, {}};
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+        if (i % k_ends_a_checkpoint == 0) call.checkpoint(0.0);
+        any_beside(i, reach, [&](std::size_t j) {
+            if (j > i && std::abs(ends_[j].position.y - ends_[i].position.y) <= reach)
+                add_pair(i, j, gap, drawing);
+            return false;
+        });
+    }
     std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
         if (a.score != b.score) return a.score < b.score;
         return a.a != b.a ? a.a < b.a : a.b < b.b;
@@ -244,7 +285,8 @@ void LineStrokes::follow(std::uint32_t first_end, bool is_closed, double min_len
     drawing.sources.resize(points);
 }
 
-void LineStrokes::join(bool is_orthographic, const LineOptions& options, LineDrawing& drawing) {
+void LineStrokes::join(bool is_orthographic, const LineOptions& options, LineDrawing& drawing,
+                       const std::stop_token& stop) {
     is_orthographic_ = is_orthographic;
     mates_.assign(2 * drawing.runs.size(), k_no_end);
     is_done_.assign(drawing.runs.size(), 0);
@@ -253,7 +295,7 @@ void LineStrokes::join(bool is_orthographic, const LineOptions& options, LineDra
     for (const LineRun& run : drawing.runs)
         cut_ends_.push_back(double(run.last_point - run.first_point) - 1.0);
     find_ends(options.gap, drawing);
-    find_pairs(options.gap, drawing);
+    find_pairs(options.gap, drawing, stop);
     for (const Pair& pair : pairs_) mate(pair, options.gap, drawing);
     for (const bool closed : {false, true})
         for (std::uint32_t r = 0; r < drawing.runs.size(); ++r) {

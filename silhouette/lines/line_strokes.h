@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <stop_token>
 #include <vector>
 
 #include "silhouette/lines/line_drawing.h"
@@ -18,8 +19,10 @@ namespace rimline {
 class LineStrokes {
 public:
     /// Sets strokes and stroke_parts of the drawing, and adds points of parts that are not whole runs. Strokes shorter
-    /// than options.min_length are left out. O(runs log runs + pairs of ends nearer than six times options.gap).
-    void join(bool is_orthographic, const LineOptions& options, LineDrawing& drawing);
+    /// than options.min_length are left out. O(runs log runs + pairs of ends nearer than six times options.gap). Throws
+    /// Error{cancelled}.
+    void join(bool is_orthographic, const LineOptions& options, LineDrawing& drawing,
+              const std::stop_token& stop = {});
 
 private:
     static constexpr std::uint32_t k_no_end = 0xffffffffu;
@@ -46,7 +49,12 @@ private:
         double distance;
     };
     void find_ends(double gap, const LineDrawing& drawing);
-    void find_pairs(double gap, const LineDrawing& drawing);
+    void find_rows(double height);
+    // Calls visit(k) for ends but i that are at most this far from it along x, and along y by less than two rows, until
+    // it returns true. Returns whether it did.
+    template <typename Visit>
+    bool any_beside(std::size_t i, double reach, Visit&& visit) const;
+    void find_pairs(double gap, const LineDrawing& drawing, const std::stop_token& stop);
     void add_pair(std::size_t i, std::size_t j, double gap, const LineDrawing& drawing);
     void add_overlap(const RunEnd& a, const RunEnd& b, double gap, const LineDrawing& drawing);
     static NearestPlace nearest_before(const RunEnd& end, const glm::dvec2& place, double reach,
@@ -59,7 +67,17 @@ private:
 
     bool is_orthographic_ = false;
 
-    std::vector<RunEnd> ends_;
+    // A band of the picture along x, of the height that find_rows() was given or more.
+    struct Row {
+        double number;            // Of its place along y; rows without an end are left out.
+        std::size_t first, last;  // Of row_ends_.
+    };
+
+    std::vector<RunEnd> ends_;  // By x.
+    std::vector<Row> rows_;
+    std::vector<std::size_t> row_ends_;  // The ends of each row, by x.
+    std::vector<std::size_t> row_of_;    // Of each end, in rows_.
+    std::vector<double> row_numbers_;    // Of each end.
     std::vector<Pair> pairs_;
     std::vector<std::uint32_t> mates_;           // By end.
     std::vector<double> cut_begins_, cut_ends_;  // By run, numbers of points with a share.

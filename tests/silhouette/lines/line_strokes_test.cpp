@@ -3,16 +3,19 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <stop_token>
 #include <vector>
 
 #include "silhouette/lines/line_drawer.h"
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/silhouette/lines/against_oracle.h"
+#include "tests/silhouette/mesh/random.h"
 
 namespace rimline {
 namespace {
@@ -180,6 +183,55 @@ TEST_CASE("the shortest length is that of the joined stroke") {
     REQUIRE(drawing.strokes.size() == 1);
     CHECK(drawing.parts_of(drawing.strokes[0]).size() == 3);
     CHECK(drawing.strokes[0].length == doctest::Approx(7.0).epsilon(1e-3));
+}
+
+TEST_CASE("strokes are the same where x and y are exchanged") {
+    tests::Random random(31);
+    const auto at = [&] { return glm::dvec2(random.signed_unit(), random.signed_unit()); };
+    for (const double gap : {0.0, 0.01, 0.1, 0.5}) {
+        CAPTURE(gap);
+        std::vector<Polyline> lines, turned;
+        for (int i = 0; i < 400; ++i) {
+            // Some on a grid, so that many ends have one x or one y.
+            const glm::dvec2 from = i % 3 == 0 ? glm::floor(3.0 * at()) : 3.0 * at();
+            const glm::dvec2 to = from + (i % 3 == 0 ? glm::dvec2(i % 2, 1 - i % 2) : 0.5 * at());
+            lines.push_back({from, to});
+            turned.push_back({{from.y, from.x}, {to.y, to.x}});
+        }
+        const LineDrawing one = joined(lines, {.gap = gap}), other = joined(turned, {.gap = gap});
+        REQUIRE(one.strokes.size() == other.strokes.size());
+        CHECK((gap == 0.0 || one.strokes.size() < 390));
+        for (std::size_t i = 0; i < one.strokes.size(); ++i)
+            CHECK(one.strokes[i].length == doctest::Approx(other.strokes[i].length));
+    }
+}
+
+TEST_CASE("the time of joining grows as the number of lines does where all end on one line" *
+          doctest::test_suite("plain")) {
+    const auto seconds_of = [](int count, double gap) {
+        std::vector<Polyline> slats;
+        for (int i = 0; i < count; ++i) slats.push_back({{0, i}, {100, i}});
+        double least = std::numeric_limits<double>::infinity();
+        for (int repetition = 0; repetition < 3; ++repetition) {
+            const auto begin = std::chrono::steady_clock::now();
+            CHECK(joined(slats, {.gap = gap}).strokes.size() == slats.size());
+            const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+            least = std::min(least, took.count());
+        }
+        return least;
+    };
+    for (const double gap : {0.0, 0.1}) {
+        const double few = seconds_of(5'000, gap), many = seconds_of(40'000, gap);
+        MESSAGE("5,000 lines: " << few << " s; 40,000: " << many << " s");
+        CHECK(many < 30.0 * few);  // 64 times if the time were quadratic.
+    }
+}
+
+TEST_CASE("joining can be cancelled") {
+    LineDrawing drawing = joined({{{0, 0}, {1, 0}}, {{2, 0}, {3, 0}}});
+    std::stop_source stop;
+    stop.request_stop();
+    CHECK_THROWS_AS(LineStrokes().join(true, {.gap = 0.5}, drawing, stop.get_token()), Error);
 }
 
 TEST_CASE("contours of a smooth surface are few strokes, and nothing visible is far from them") {
