@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "silhouette/error.h"
 #include "silhouette/lines/exact_signs.h"
 #include "silhouette/lines/local_rule.h"
 
@@ -12,6 +13,7 @@ namespace {
 
 // Relative to the lengths in a product: the ends of a segment are rounded.
 constexpr double k_way_error = 0x1p-40;
+constexpr std::uint32_t k_curve_lines_a_checkpoint = 1u << 12;
 
 enum class Hides : std::uint8_t { no, yes, unknown };
 
@@ -105,12 +107,14 @@ private:
 
 }  // namespace
 
-void find_curve_locals(LineFrame& frame) {
+void find_curve_locals(LineFrame& frame, const std::stop_token& stop) {
     const std::span<const IntersectionCurves::Segment> segments =
         frame.surface->curves().segments();
     frame.is_doubtful.assign(frame.lines.size() - frame.edge_lines, 0);
     frame.locals.resize(frame.lines.size());
-    for (std::uint32_t i = frame.edge_lines; i < frame.lines.size(); ++i)
+    const LongCall call{stop, {}};
+    for (std::uint32_t i = frame.edge_lines; i < frame.lines.size(); ++i) {
+        if (i % k_curve_lines_a_checkpoint == 0) call.checkpoint(0.0);
         for (std::size_t end = 0; end < 2; ++end) {
             frame.locals[i][end] = 0;
             if (frame.lines[i].is_cut[end]) continue;
@@ -119,6 +123,7 @@ void find_curve_locals(LineFrame& frame) {
             frame.locals[i][end] = faces;
             if (!is_sure) frame.set_doubtful(i);
         }
+    }
 }
 
 }  // namespace rimline

@@ -8,11 +8,14 @@
 // Other signs are those of doubles. Where they do not decide, the segment is doubtful, and rays decide it
 // (invisibility.h).
 
+#include <stop_token>
+
 #include "silhouette/lines/line_frame.h"
 
 namespace rimline {
 
-/// Sets locals of the segments of intersections, and is_doubtful. O(segments · faces of a node).
-void find_curve_locals(LineFrame& frame);
+/// Sets locals of the segments of intersections, and is_doubtful. O(segments · faces of a node · their
+/// logarithm). Throws Error{cancelled}.
+void find_curve_locals(LineFrame& frame, const std::stop_token& stop = {});
 
 }  // namespace rimline

@@ -218,6 +218,8 @@ private:
                     curves_.node_faces_.push_back({touch.face, touch.side});
                 break;
         }
+        std::ranges::sort(curves_.node_faces_.begin() + curves_.node_face_begin_.back(),
+                          curves_.node_faces_.end());
         curves_.positions_.push_back(position);
         curves_.vertices_.push_back(key.kind == Key::Kind::vertex ? key.a : k_no_contact_vertex);
         curves_.node_face_begin_.push_back(static_cast<std::uint32_t>(curves_.node_faces_.size()));
@@ -333,7 +335,7 @@ IntersectionCurves::IntersectionCurves(const Mesh& mesh, const VertexStars& star
 }
 
 bool IntersectionCurves::contains(std::uint32_t node, std::uint32_t face) const noexcept {
-    return std::ranges::any_of(faces_at(node), [&](const NodeFace& f) { return f.face == face; });
+    return std::ranges::binary_search(faces_at(node), face, {}, &NodeFace::face);
 }
 
 }  // namespace rimline

@@ -33,6 +33,7 @@ public:
         /// The side of the face that the node lies on, FaceContacts::Touch::k_inside, or k_corner.
         std::uint32_t place;
         static constexpr std::uint32_t k_corner = 4;
+        auto operator<=>(const NodeFace&) const = default;
     };
     /// A place of a segment, as a share of its length, where a face that does not contain it may hide it from
     /// there on.
@@ -65,6 +66,7 @@ public:
     /// The vertex that the node is, or k_no_contact_vertex.
     std::uint32_t vertex(std::uint32_t node) const noexcept { return vertices_[node]; }
     static constexpr std::uint32_t k_no_contact_vertex = 0xffffffffu;
+    /// Ascending.
     std::span<const NodeFace> faces_at(std::uint32_t node) const noexcept {
         return {node_faces_.data() + node_face_begin_[node],
                 node_faces_.data() + node_face_begin_[node + 1]};
@@ -74,7 +76,7 @@ public:
         return {passages_.data() + passage_begin_[segment],
                 passages_.data() + passage_begin_[segment + 1]};
     }
-    /// Whether a face contains both ends of a segment, and therefore all of it.
+    /// Whether a face contains both ends of a segment, and therefore all of it. O(log faces), as contains().
     bool is_own(const Segment& segment, std::uint32_t face) const noexcept {
         return contains(segment.nodes[0], face) && contains(segment.nodes[1], face);
     }
