@@ -257,8 +257,15 @@ std::string text_of(long double value) {
     return text.data();
 }
 
+// What one thread finds, in runs of any order.
+struct CheckOfRuns {
+    LineCheck check;
+    std::uint32_t first_wrong_run = ~std::uint32_t{0};  // Of check.first_difference.
+};
+
 void check_run(const LineOracle& oracle, const Mesh& mesh, const LineView& view,
-               const LineDrawing& drawing, std::uint32_t run, double spacing, LineCheck& check) {
+               const LineDrawing& drawing, std::uint32_t run, double spacing, CheckOfRuns& found) {
+    LineCheck& check = found.check;
     const LineRun& r = drawing.runs[run];
     for (std::uint32_t i = r.first_point; i + 1 < r.last_point; ++i) {
         if (drawing.sources[i].edge != drawing.sources[i + 1].edge) continue;
@@ -279,13 +286,15 @@ void check_run(const LineOracle& oracle, const Mesh& mesh, const LineView& view,
             if (count.faces == static_cast<std::int32_t>(r.hidden_by)) continue;
             ++check.wrong;
             if ((count.faces == 0) != r.is_visible()) ++check.wrong_visibility;
-            if (check.first_difference.empty())
+            if (run < found.first_wrong_run) {
+                found.first_wrong_run = run;
                 check.first_difference =
                     (piece.edge == k_no_edge ? "an intersection"
                                              : "edge " + std::to_string(index(piece.edge))) +
                     " at (" + text_of(place.x) + ", " + text_of(place.y) + ", " + text_of(place.z) +
                     ") is hidden by " + std::to_string(count.faces) +
                     " faces, and drawn as hidden by " + std::to_string(r.hidden_by);
+            }
         }
     }
 }
@@ -302,7 +311,7 @@ LineCheck check_lines(const Mesh& mesh, const LineView& view, const LineDrawing&
                       double spacing, const LongCall& call) {
     RIMLINE_CHECK(spacing > 0.0);
     const LineOracle oracle(mesh, view);
-    tbb::enumerable_thread_specific<LineCheck> checks;
+    tbb::enumerable_thread_specific<CheckOfRuns> checks;
     const auto runs = static_cast<std::uint32_t>(drawing.runs.size());
     for (std::uint32_t first = 0; first < runs; first += k_oracle_runs_a_checkpoint) {
         call.checkpoint(double(first) / runs);
@@ -313,12 +322,15 @@ LineCheck check_lines(const Mesh& mesh, const LineView& view, const LineDrawing&
         });
     }
     LineCheck all;
-    for (const LineCheck& check : checks) {
+    std::uint32_t first_wrong_run = ~std::uint32_t{0};
+    for (const auto& [check, wrong_run] : checks) {
         all.samples += check.samples;
         all.undecided += check.undecided;
         all.wrong += check.wrong;
         all.wrong_visibility += check.wrong_visibility;
-        if (all.first_difference.empty()) all.first_difference = check.first_difference;
+        if (wrong_run >= first_wrong_run) continue;
+        first_wrong_run = wrong_run;
+        all.first_difference = check.first_difference;
     }
     std::vector<double> drawn(mesh.edge_count(), 0.0);
     for (const LineRun& run : drawing.runs)

@@ -26,7 +26,7 @@ struct LineCheck {
         0;  ///< Of these, those visible in the drawing and hidden, or reversed.
     std::uint64_t missing_edges = 0;   ///< Edges that are not drawn over their whole length.
     std::uint64_t repeated_edges = 0;  ///< Edges that are drawn over more than that.
-    std::string first_difference;      ///< Names the first wrong sample or edge; else empty.
+    std::string first_difference;      ///< Names the first wrong sample, else edge; else empty.
 };
 
 /// Options for a drawing that can be checked: every line over its whole length, with its exact count.

@@ -27,6 +27,17 @@ TEST_CASE("the oracle finds a run of wrong visibility and a missing line") {
     CHECK(found.missing_edges == 0);
     CHECK(!found.first_difference.empty());
 
+    // The first in the order of the runs, whichever thread found it.
+    const auto first_wrong = [&](std::size_t step) {
+        LineDrawing all = drawing;
+        const std::size_t first = all.runs.size() / 3;
+        for (std::size_t run = first; run < all.runs.size(); run += step)
+            all.runs[run].hidden_by += 1;
+        return check_lines(mesh, view, all, 1e-3).first_difference;
+    };
+    CHECK(!first_wrong(1).empty());
+    CHECK(first_wrong(1) == first_wrong(drawing.runs.size()));
+
     LineDrawing missing = drawing;
     missing.runs.pop_back();
     CHECK(check_lines(mesh, view, missing, 1e-3).missing_edges > 0);
