@@ -5,6 +5,8 @@
 #include <glm/common.hpp>
 #include <limits>
 
+#include "silhouette/error.h"
+
 namespace rimline {
 
 namespace {
@@ -112,10 +114,12 @@ void Invisibility::spread_edges(LineFrame& frame) {
 
 // A ray to a node of intersections may be unsure: then another node of the component may do. A second ray checks
 // the component at its end, where no cycle does.
-void Invisibility::spread_intersections(LineFrame& frame) {
+void Invisibility::spread_intersections(LineFrame& frame, const std::stop_token& stop) {
+    const LongCall call{stop, {}};
     const auto first = static_cast<std::uint32_t>(frame.node_vertices.size());
     for (std::uint32_t node = first; node < bases_.size(); ++node) {
         if (bases_[node] != k_unknown_base || frame.ends_at(node).empty()) continue;
+        call.checkpoint(0.0);  // A ray takes longer.
         const RayCount ray = count_before_node(frame, frame.node_curves[node - first]);
         if (!ray.is_sure) continue;
         bool holds = spread_from(node, ray.count, frame);
@@ -128,7 +132,7 @@ void Invisibility::spread_intersections(LineFrame& frame) {
     }
 }
 
-void Invisibility::spread(LineFrame& frame) {
+void Invisibility::spread(LineFrame& frame, const std::stop_token& stop) {
     steps_.resize(frame.lines.size());
     has_failed_.assign(frame.lines.size(), 0);
     is_used_.assign(frame.lines.size(), 0);
@@ -141,7 +145,7 @@ void Invisibility::spread(LineFrame& frame) {
         steps_[i] = frame.locals[i][0] - frame.locals[i][1] + jumps_of(i);
     bases_.assign(frame.end_begin.size() - 1, k_unknown_base);
     spread_edges(frame);
-    spread_intersections(frame);
+    spread_intersections(frame, stop);
 
     frame.first_counts.resize(frame.lines.size());
     for (std::uint32_t i = 0; i < frame.lines.size(); ++i) {
@@ -153,17 +157,20 @@ void Invisibility::spread(LineFrame& frame) {
                                 : is_from_first        ? base + frame.locals[i][0]
                                                        : base + frame.locals[i][1] - jumps_of(i);
     }
-    decide_by_rays(frame);
+    decide_by_rays(frame, stop);
 }
 
-void Invisibility::decide_by_rays(LineFrame& frame) {
+void Invisibility::decide_by_rays(LineFrame& frame, const std::stop_token& stop) {
+    const LongCall call{stop, {}};
     for (std::uint32_t i = 0; i < frame.lines.size(); ++i) {
         std::int32_t least = frame.first_counts[i];
         std::int32_t count = least;
         for (const LineEvent& event : frame.events_of(i))
             least = std::min(least, count += event.jump);
         // Below zero there is an error too.
-        if (has_failed_[i] != 0 || least < 0) decide_by_ray_a_piece(i, frame);
+        if (has_failed_[i] == 0 && least >= 0) continue;
+        call.checkpoint(0.0);
+        decide_by_ray_a_piece(i, frame);
     }
 }
 

@@ -9,6 +9,7 @@
 // lines of the set is decided by a ray of its own.
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "silhouette/lines/face_count.h"
@@ -18,16 +19,16 @@ namespace rimline {
 
 class Invisibility {
 public:
-    /// Sets first_counts of the frame; events of lines that rays decide are replaced.
-    void spread(LineFrame& frame);
+    /// Sets first_counts of the frame; events of lines that rays decide are replaced. Throws Error{cancelled}.
+    void spread(LineFrame& frame, const std::stop_token& stop = {});
 
 private:
     void spread_edges(LineFrame& frame);
-    void spread_intersections(LineFrame& frame);
+    void spread_intersections(LineFrame& frame, const std::stop_token& stop);
     bool spread_from(std::uint32_t node, std::int32_t base, LineFrame& frame);
     bool check(bool holds, LineFrame& frame);
     void fail_component(const LineFrame& frame);
-    void decide_by_rays(LineFrame& frame);
+    void decide_by_rays(LineFrame& frame, const std::stop_token& stop);
     void decide_by_ray_a_piece(std::uint32_t line, LineFrame& frame);
 
     std::vector<std::int32_t> steps_;  // Of base, along each line.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "silhouette/error.h"
+
 namespace rimline {
 
 namespace {
@@ -13,6 +15,8 @@ namespace {
 constexpr double k_near_share = 1e-5;
 // So far ahead edges and their ends are asked for, which lie anywhere in memory.
 constexpr std::size_t k_lines_ahead = 16;
+// Two ends of each line are numbered, and one number is left for none (line_frame.h).
+constexpr std::size_t k_max_lines = 0x7fffffff;
 
 // Faces whose plane cannot tell on which side the point is: a plane's normal and distance are rounded to float,
 // and so are the three products and sums. The bound is twice the sum of their errors.
@@ -67,11 +71,12 @@ void LineCollection::add_edges_of_doubtful_faces(const LineOptions& options, Lin
 // The same edges for all views of one angle.
 void LineCollection::find_creases(float angle_rad, const LineGeometry& surface) {
     if (angle_rad == creases_angle_rad_) return;
-    creases_angle_rad_ = angle_rad;
+    creases_angle_rad_ = -1.0f;  // Until the list is whole.
     creases_.clear();
     const std::span<const float> bends_rad = surface.bends_rad();
     for (std::uint32_t e = 0; e < bends_rad.size(); ++e)
         if (bends_rad[e] >= angle_rad && bends_rad[e] > 0.0f) creases_.push_back(EdgeId{e});
+    creases_angle_rad_ = angle_rad;
 }
 
 void LineCollection::collect(std::span<const EdgeId> silhouette, const LineOptions& options,
@@ -106,9 +111,12 @@ void LineCollection::collect(std::span<const EdgeId> silhouette, const LineOptio
             if (shown.empty() || shown[index(edge)] != 0)
                 add_edge(edge, LineKind::crease, true, frame);
     }
+    const std::size_t count =
+        draws(LineKind::intersection) ? frame.surface->curves().segments().size() : 0;
+    if (frame.lines.size() + count > k_max_lines)
+        throw Error(ErrorCode::too_large, "a view of 2^31 lines or more is too large to draw");
     frame.edge_lines = static_cast<std::uint32_t>(frame.lines.size());
-    if (draws(LineKind::intersection)) {
-        const std::size_t count = frame.surface->curves().segments().size();
+    if (count > 0) {
         for (std::uint32_t i = 0; i < count; ++i)
             frame.lines.push_back({.vertices = {k_no_vertex, k_no_vertex},
                                    .source = i,

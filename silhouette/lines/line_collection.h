@@ -18,7 +18,7 @@ namespace rimline {
 
 class LineCollection {
 public:
-    /// Sets lines, flats and picture_size of the frame.
+    /// Sets lines, flats and picture_size of the frame. Throws Error{too_large} where they are 2^31 or more.
     void collect(std::span<const EdgeId> silhouette, const LineOptions& options, LineFrame& frame);
 
 private:

@@ -1,5 +1,7 @@
 #include "silhouette/lines/line_drawer.h"
 
+#include <cmath>
+
 #include "silhouette/lines/coincident_lines.h"
 #include "silhouette/lines/curve_rule.h"
 #include "silhouette/lines/invisibility.h"
@@ -57,7 +59,7 @@ const LineDrawing& LineDrawer::draw(const LineView& view, std::span<const EdgeId
                                     const LongCall& call) {
     for (const double length : {options.gap, options.min_length, options.stubble, options.smooth,
                                 options.simplify, double{options.crease_angle_rad}})
-        RIMLINE_CHECK(length >= 0.0);
+        RIMLINE_CHECK(length >= 0.0 && std::isfinite(length));
     LineFrame& frame = state_->frame;
     LineDrawing& drawing = state_->drawing;
     drawing.clear();
@@ -71,19 +73,19 @@ const LineDrawing& LineDrawer::draw(const LineView& view, std::span<const EdgeId
     call.checkpoint(0.1);
     find_locals(frame, options.draws[std::size_t(LineKind::crease)], options.crease_angle_rad);
     call.checkpoint(0.2);
-    find_curve_locals(frame);
+    find_curve_locals(frame, call.stop);
     call.checkpoint(0.3);
-    state_->events.find(frame, !options.keeps_coincident);
+    state_->events.find(frame, !options.keeps_coincident, call.stop);
     call.checkpoint(0.6);
-    state_->invisibility.spread(frame);
+    state_->invisibility.spread(frame, call.stop);
     call.checkpoint(0.8);
     state_->covered.clear();
-    if (!options.keeps_coincident) state_->coincident.find(frame, state_->covered);
+    if (!options.keeps_coincident) state_->coincident.find(frame, state_->covered, call.stop);
     call.checkpoint(0.85);
-    state_->chains.make(frame, state_->covered, options, drawing);
+    state_->chains.make(frame, state_->covered, options, drawing, call.stop);
     state_->identity.assign(frame, state_->chains.chain_of_line(), changes, drawing);
     call.checkpoint(0.9);
-    state_->strokes.join(view.is_orthographic(), options, drawing);
+    state_->strokes.join(view.is_orthographic(), options, drawing, call.stop);
     call.checkpoint(0.95);
     if (options.stubble > 0.0) state_->stubble.remove(frame, options, drawing);
 

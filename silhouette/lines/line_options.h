@@ -10,7 +10,7 @@
 
 namespace rimline {
 
-/// Lengths are in picture coordinates (line_view.h), and not negative.
+/// Lengths are in picture coordinates (line_view.h), finite and not negative.
 struct LineOptions {
     /// By LineKind, which lines are drawn. All lines hide others, drawn or not.
     std::array<bool, k_line_kinds> draws{true, true, true, true};

@@ -23,8 +23,10 @@ public:
         none,   ///< They do not: is_solid(mesh) (silhouette/mesh/solid.h).
     };
     /// `mesh` must outlive it, and be welded (Mesh::is_welded()): faces that meet at a place must share its vertex.
-    /// O(n log n) on all threads of oneTBB, 0.2 microseconds a face on two. The result does not depend on their
-    /// number. Throws Error{cancelled}.
+    /// O(n log n + pairs of faces whose boxes meet) on all threads of oneTBB, 0.2 microseconds a face on two. The pairs
+    /// are few where faces are about as long as wide. At a vertex all boxes of its faces meet: a fan of n faces has
+    /// n^2 / 2 pairs, and sheets in one plane have as many. With Contacts::none pairs are not searched. The result does
+    /// not depend on the number of threads. Throws Error{cancelled}, also among the pairs.
     explicit LineSurface(const Mesh& mesh, Contacts contacts = Contacts::found,
                          const LongCall& call = {});
     LineSurface(Mesh&&, Contacts = Contacts::found, const LongCall& = {}) = delete;

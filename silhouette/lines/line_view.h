@@ -9,6 +9,11 @@
 // an axis of a machine part many things coincide in the picture, and their order would not be defined. From
 // the point beside it is. The silhouette must be found from that point too: point(). Its coordinates are floats: an eye
 // at more than a few of its distances from the origin is shifted by four steps of a float, up to a fortieth of a pixel.
+//
+// That is true of things about as far away as the center of the mesh. The shift is a share of that distance, at least
+// of the mesh's radius (drawn_distance()), so nearer things move farther in the picture, by shift() over their own
+// distance: in a scene of radius 10 km, an eye one meter before a wall sees it from a point that is about a centimeter
+// aside. What lies within that of each other there may be drawn in the wrong order, or as one line.
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

@@ -26,8 +26,8 @@ public:
 
     /// Calls visit(line, other) for each pair of lines, also of a line with itself, where `other` may lie before
     /// `line` as their boxes say: they meet in the picture, and the other's nearest depth is not behind the line's
-    /// farthest. By line, ascending, then by other. O(lines log lines + pairs) if lines that follow each other lie near
-    /// each other.
+    /// farthest. In the order of the lines' cells along the curve, for one line in that of the others. O(lines log
+    /// lines + pairs) if lines that follow each other lie near each other.
     template <typename Visit>
     void each_pair(Visit&& visit);
 

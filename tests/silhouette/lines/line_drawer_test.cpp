@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "silhouette/mesh/brute_force.h"
@@ -304,7 +305,7 @@ TEST_CASE("a drawing can be cancelled") {
     CHECK(!drawer.draw(view, silhouette).chains.empty());
 }
 
-TEST_CASE("edges that the mesh does not have and lengths below 0 stop the program") {
+TEST_CASE("edges that the mesh does not have and lengths below 0 or without end stop the program") {
     const Mesh mesh(make_built_in_shape("box", 12));
     const LineSurface surface(mesh);
     LineDrawer drawer(surface);
@@ -320,6 +321,8 @@ TEST_CASE("edges that the mesh does not have and lengths below 0 stop the progra
     CHECK(tests::stops([&] { drawer.draw(view, silhouette, options); }));
     CHECK(tests::stops([&] { drawer.draw(view, silhouette, {.gap = -1.0}); }));
     CHECK(tests::stops([&] { drawer.draw(view, silhouette, {.simplify = std::nan("")}); }));
+    constexpr double k_endless = std::numeric_limits<double>::infinity();
+    CHECK(tests::stops([&] { drawer.draw(view, silhouette, {.gap = k_endless, .stubble = 1.0}); }));
 }
 
 }  // namespace
