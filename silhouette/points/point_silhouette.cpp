@@ -23,28 +23,44 @@ PointSilhouette::PointSilhouette(const UmbrellaIndex& umbrellas, const Homogeneo
       spoke_counts_(umbrellas.patch_count(), 0),
       on_bits_(umbrellas.spoke_count() / 8 + k_slack) {
     RIMLINE_CHECK(point.is_valid());
-    TraversalCounters counters;
-    for (std::uint32_t block = 0; block < umbrellas.block_count(); ++block)
-        update_block(block, counters);
+    find_all();
     size_ = static_cast<std::uint32_t>(added_.size());
     added_ = {};
 }
 
+// At point_. Sets added_ to all points of the silhouette.
+void PointSilhouette::find_all() {
+    std::ranges::fill(spoke_counts_, std::uint8_t{0});
+    std::ranges::fill(on_bits_, std::uint8_t{0});
+    consensus_.clear();
+    consensus_spokes_.clear();
+    consensus_slots_.clear();
+    added_.clear();
+    TraversalCounters counters;
+    for (std::uint32_t block = 0; block < umbrellas_->block_count(); ++block)
+        update_block(block, point_, counters);
+    is_torn_ = false;
+}
+
 PointSilhouette::Change PointSilhouette::move_to(const HomogeneousPoint& point) {
     TraversalCounters counters;
+    if (is_torn_) find_all();
     added_.clear();
     removed_.clear();
     const std::uint32_t count = umbrellas_->find_changing(point_, point, scratch_, counters);
+    is_torn_ = true;
+    for (std::uint32_t i = 0; i < count; ++i) update_block(scratch_.block[i], point, counters);
+    is_torn_ = false;
     point_ = point;
-    for (std::uint32_t i = 0; i < count; ++i) update_block(scratch_.block[i], counters);
     size_ += static_cast<std::uint32_t>(added_.size());
     size_ -= static_cast<std::uint32_t>(removed_.size());
     return {added_, removed_, counters};
 }
 
-void PointSilhouette::update_block(std::uint32_t block, TraversalCounters& counters) {
+void PointSilhouette::update_block(std::uint32_t block, const HomogeneousPoint& point,
+                                   TraversalCounters& counters) {
     const UmbrellaIndex& index = *umbrellas_;
-    counters.face_checks += index.evaluate(block, point_, front_);
+    counters.face_checks += index.evaluate(block, point, front_);
     const auto [first_patch, last_patch] = index.patches_of(block);
     const std::uint8_t* front = front_.data();
     std::uint32_t first_spoke = index.spokes_of(first_patch).first;

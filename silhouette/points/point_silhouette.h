@@ -38,7 +38,9 @@ public:
         TraversalCounters counters;  ///< Work done.
     };
     /// Moves to `point`. The result equals that of a new object, exactly.
-    /// O(spokes that change + patches near the active region). One thread at a time.
+    /// O(spokes that change + patches near the active region). One thread at a time. Throws std::bad_alloc: the
+    /// silhouette is then to be asked for nothing but point(), which is that before the call, until another move
+    /// succeeds, which is O(points) and reports what changed from there.
     Change move_to(const HomogeneousPoint& point);
 
     const HomogeneousPoint& point() const noexcept { return point_; }
@@ -59,7 +61,9 @@ public:
     std::uint64_t size_bytes() const noexcept;
 
 private:
-    void update_block(std::uint32_t block, TraversalCounters& counters);
+    void find_all();
+    void update_block(std::uint32_t block, const HomogeneousPoint& point,
+                      TraversalCounters& counters);
     void update_fan(std::uint32_t patch, std::uint32_t first_spoke, std::uint32_t size,
                     const std::uint8_t* front);
     void update_spokes(std::uint32_t patch, const std::uint8_t* front);
@@ -77,6 +81,7 @@ private:
     std::vector<std::uint8_t> spoke_counts_;  // For each patch, its spokes on the silhouette.
     std::vector<std::uint8_t> on_bits_;       // One bit for each spoke.
     std::uint32_t size_ = 0;
+    bool is_torn_ = true;  // A move began and did not end: counts, bits and edges are of no point.
     // For each edge the lesser of its two spokes, and the slot of the edge by that spoke.
     std::vector<PointEdge> consensus_;
     std::vector<std::uint32_t> consensus_spokes_;

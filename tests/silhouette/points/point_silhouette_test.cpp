@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
+#include <new>
 #include <numeric>
 #include <set>
 #include <stop_token>
@@ -15,6 +16,7 @@
 #include "silhouette/mesh/plane.h"
 #include "silhouette/points/umbrella_triangles.h"
 #include "tests/models.h"
+#include "tests/silhouette/hough/service/allocation_faults.h"
 #include "tests/silhouette/points/sample_clouds.h"
 #include "tests/skip.h"
 
@@ -190,6 +192,37 @@ TEST_CASE(
     REQUIRE(three > 10);
     REQUIRE(same_side > 10);
     check_against_brute_force(points, 60, options);
+}
+
+TEST_CASE("a move for which memory was missing leaves the next one right") {
+    const PointSurface surface(tests::make_sphere(1500));
+    const UmbrellaIndex index(surface);
+    const BruteForce brute(surface, index);
+    const HomogeneousPoint from = index.viewpoint({3, 0, 0}), missed = index.viewpoint({0, 2, 1});
+    const HomogeneousPoint to = index.viewpoint({2.5, 1, 0});
+    int thrown = 0;
+    for (std::uint64_t spared = 0;; spared += 1 + spared / 4) {
+        CAPTURE(spared);
+        PointSilhouette silhouette(index, from);
+        const std::vector<PointId> before = silhouette.points();
+        bool is_missed = false;
+        try {
+            const tests::AllocationFaults faults(spared);
+            silhouette.move_to(missed);
+        } catch (const std::bad_alloc&) {
+            is_missed = true;
+        }
+        if (!is_missed) break;
+        ++thrown;
+        CHECK(silhouette.point() == from);
+        const PointSilhouette::Change change = silhouette.move_to(to);
+        check_same(silhouette, brute.silhouette(to));
+        std::set<PointId> expected(before.begin(), before.end());
+        for (const PointId p : change.added) REQUIRE(expected.insert(p).second);
+        for (const PointId p : change.removed) REQUIRE(expected.erase(p) == 1);
+        REQUIRE(std::ranges::equal(silhouette.points(), expected));
+    }
+    CHECK(thrown > 3);
 }
 
 TEST_CASE("point silhouettes equal a scan far from the origin and at any scale") {
