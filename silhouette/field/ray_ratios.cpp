@@ -23,6 +23,9 @@ namespace rimline {
 namespace {
 
 constexpr double k_near_radii = 1e-4;
+// Lines are followed beside the picture over this many of its sides, and not farther: a cut at the picture itself would
+// round otherwise.
+constexpr double k_pictures_beside = 64.0;
 
 // As in shaders/visible_line.vert and engine/measure/ratio_drawing.cpp.
 constexpr double k_nearer = 1e-5;
@@ -35,6 +38,30 @@ struct ScreenPoint {
     glm::vec2 px;
     float nearness;  // 1 / distance, which is linear on the screen.
 };
+
+// Cuts a line at the sides of the square from `low` to `high`. Returns whether something is left of it. A line that
+// lies inside keeps its bits.
+bool cut_at_square(ScreenPoint& a, ScreenPoint& b, double low, double high) {
+    const glm::dvec2 from(a.px), way = glm::dvec2(b.px) - from;
+    double begin = 0.0, end = 1.0;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double at = from[axis], last = at + way[axis];
+        if (!(std::min(at, last) <= high && std::max(at, last) >= low)) return false;
+        if (at < low) begin = std::max(begin, (low - at) / way[axis]);
+        if (at > high) begin = std::max(begin, (high - at) / way[axis]);
+        if (last < low) end = std::min(end, (low - at) / way[axis]);
+        if (last > high) end = std::min(end, (high - at) / way[axis]);
+    }
+    if (!(begin <= end)) return false;
+    const auto point_at = [&](double share) {
+        return ScreenPoint{glm::vec2(glm::clamp(from + share * way, low, high)),
+                           float(glm::mix(double{a.nearness}, double{b.nearness}, share))};
+    };
+    const ScreenPoint first = begin > 0.0 ? point_at(begin) : a;
+    if (end < 1.0) b = point_at(end);
+    a = first;
+    return true;
+}
 
 // Calls visit(x, y, nearness) for each pixel that the line passes through, in its order. Lines of equal depth are
 // oblique, because visible_line.vert sweeps a pixel along the line.
@@ -141,7 +168,11 @@ void RayRatios::cover_pixels(const View& view, Scratch& scratch) const {
         const glm::dvec3 crossing = glm::mix(a, b, (-a.z - view.near) / (b.z - a.z));
         if (-a.z < view.near) a = crossing;
         if (-b.z < view.near) b = crossing;
-        each_pixel(on_screen(a), on_screen(b), [&](int x, int y, float nearness) {
+        ScreenPoint first = on_screen(a), last = on_screen(b);
+        // Lines that end at the near plane may be millions of pixels long.
+        const double beside = k_pictures_beside * options_.side_px;
+        if (!cut_at_square(first, last, -beside, options_.side_px + beside)) return;
+        each_pixel(first, last, [&](int x, int y, float nearness) {
             if (x < 0 || y < 0 || x >= side || y >= side) return;
             const auto pixel = static_cast<std::uint32_t>(y * side + x);
             float& nearest = scratch.nearest[pixel];

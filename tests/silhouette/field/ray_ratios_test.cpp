@@ -128,6 +128,22 @@ TEST_CASE("viewpoints anywhere have ratios, and meshes without edges have zero")
         CHECK(RayRatios(at_point).measure({&eye, 1})[0] >= 0.0);
 }
 
+TEST_CASE("lines that end near the viewer take no longer the narrower the view is") {
+    const Mesh mesh(make_built_in_shape("box", 12));
+    const HoughOctree octree(mesh);
+    // Beside an edge: it passes the near plane, millions of pictures from what is seen.
+    const auto& [low, high] = mesh.bounds();
+    const glm::dvec3 eye = glm::dvec3(high) + 1e-3 * mesh.radius() * glm::dvec3(1.0, 2.0, -300.0);
+    for (const double fov_deg : {70.6, 0.01, 1e-6, 1e-300}) {
+        CAPTURE(fov_deg);
+        RayRatios::Options options;
+        options.fov_deg = fov_deg;
+        const double ratio = RayRatios(octree, options).measure({&eye, 1})[0];
+        CHECK(ratio >= 0.0);
+        CHECK(ratio <= 1.0);
+    }
+}
+
 TEST_CASE("a stop ends the making and the measuring of ratios by rays") {
     const Mesh mesh(make_built_in_shape("torus", 2000));
     const HoughOctree octree(mesh);
