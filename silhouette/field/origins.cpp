@@ -28,8 +28,9 @@ OriginSet find_origins(const Mesh& mesh, std::uint32_t count, const OriginOption
     if (std::max({c.x, c.y, c.z}) + k_ball.outer_radius * mesh.radius() > k_max_coordinate)
         throw Error(ErrorCode::too_large,
                     "coordinates are too large for origins around the model: scale it down");
-    const UnitPlanes planes(mesh);
-    const TangentialField field(planes, origin_function(options.alpha), {options.field_tolerance});
+    const UnitPlanes planes(mesh, call.stop);
+    const TangentialField field(planes, origin_function(options.alpha), {options.field_tolerance},
+                                call.stop);
     InterestOptions interest;
     interest.count = count;
     interest.tolerance = options.tolerance;

@@ -12,6 +12,7 @@
 #include <limits>
 #include <numbers>
 
+#include "silhouette/mesh/angle_between.h"
 #include "silhouette/mesh/corner_normals.h"
 #include "silhouette/mesh/ground_axes.h"
 #include "silhouette/mesh/line_hit.h"
@@ -223,10 +224,6 @@ double most_score_of(const SunTones& without_shadows, const glm::dvec3& sun,
     return picture_sun_score(most, sun, frame) * (1.0 + 1e-9);
 }
 
-double angle_of(const glm::dvec3& a, const glm::dvec3& b) {
-    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
-
 // Frames between which the camera turns, the first among them. The last one is one past the frames if the path is
 // closed: the first camera again.
 struct KeyFrames {
@@ -237,16 +234,16 @@ KeyFrames key_frames(std::span<const PictureFrame> frames) {
     KeyFrames keys{{0}, false};
     double total = 0.0, most = 0.0;
     for (std::size_t i = 1; i < frames.size(); ++i) {
-        const double turn = angle_of(frames[i - 1].back, frames[i].back);
+        const double turn = angle_between(frames[i - 1].back, frames[i].back);
         total += turn;
         most = std::max(most, turn);
     }
-    keys.is_closed =
-        total > std::numbers::pi && angle_of(frames.back().back, frames.front().back) < 1.5 * most;
+    keys.is_closed = total > std::numbers::pi &&
+                     angle_between(frames.back().back, frames.front().back) < 1.5 * most;
     const double step = std::max(k_key_turn_rad, total / double(k_max_keys - 2));
     double turned = 0.0;
     for (std::size_t i = 1; i < frames.size(); ++i) {
-        turned += angle_of(frames[i - 1].back, frames[i].back);
+        turned += angle_between(frames[i - 1].back, frames[i].back);
         if (turned < step) continue;
         keys.numbers.push_back(i);
         turned = 0.0;
@@ -272,7 +269,7 @@ public:
         std::vector<double> costs(suns_.size(), std::numeric_limits<double>::infinity());
         for (std::size_t to = 0; to < suns_.size(); ++to) {
             for (std::size_t i = 0; i < suns_.size(); ++i) {
-                const double turn = angle_of(suns_[i], suns_[to]);
+                const double turn = angle_between(suns_[i], suns_[to]);
                 const double cost = costs_[i] + k_turn_cost * turn;
                 if (turn > max_turn || cost >= costs[to]) continue;
                 costs[to] = cost;
@@ -541,7 +538,7 @@ std::vector<glm::dvec3> choose_moving_sun(const SunSurvey& survey,
         const PictureFrame& before = frames[keys.numbers[k - 1]];
         const bool is_first_again = keys.numbers[k] == frames.size();
         const PictureFrame& frame = is_first_again ? frames.front() : frames[keys.numbers[k]];
-        const double turn = angle_of(before.back, frame.back);
+        const double turn = angle_between(before.back, frame.back);
         sequence.add_key(is_first_again ? first_scores : scores_at(frame),
                          std::max(2.0 * turn, 1.1 * step));
     }

@@ -192,9 +192,11 @@ double least_preference(const Mesh& mesh, const glm::dvec3& up) {
 
 }  // namespace
 
-std::vector<Shown> measure_shown(const Mesh& mesh, std::span<const glm::dvec3> directions) {
+std::vector<Shown> measure_shown(const Mesh& mesh, std::span<const glm::dvec3> directions,
+                                 const std::stop_token& stop) {
     std::vector<Shown> shown(directions.size());
     tbb::parallel_for(std::size_t{0}, directions.size(), [&](std::size_t i) {
+        LongCall{stop, {}}.checkpoint(0.0);
         const DepthBuffer buffer(mesh, directions[i]);
         shown[i] = {buffer.visible_share(), buffer.area()};
     });
@@ -203,7 +205,8 @@ std::vector<Shown> measure_shown(const Mesh& mesh, std::span<const glm::dvec3> d
 
 glm::dvec3 choose_picture_direction(const Mesh& mesh, const glm::dvec3& up, const LongCall& call) {
     // Few points: the planes are summed one by one, which needs no clusters.
-    const TangentialField field = make_view_field(mesh, {.tolerance = 0.0});
+    const TangentialField field =
+        make_view_field(mesh, {.tolerance = 0.0}, view_function(), call.stop);
     if (field.plane_count() == 0) return three_quarter_direction(up);
     const std::vector<glm::dvec3> directions = candidate_directions(mesh, up);
     std::vector<glm::dvec3> points;
@@ -233,7 +236,7 @@ glm::dvec3 choose_picture_direction(const Mesh& mesh, const glm::dvec3& up, cons
         if (measured.size() == k_measured) break;
     }
     call.checkpoint(0.3);
-    const std::vector<Shown> shown = measure_shown(mesh, measured);
+    const std::vector<Shown> shown = measure_shown(mesh, measured, call.stop);
     call.checkpoint(1.0);
     double max_score = 0.0;
     std::vector<double> scores;

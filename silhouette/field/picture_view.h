@@ -27,6 +27,7 @@
 
 #include <glm/vec3.hpp>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "silhouette/error.h"
@@ -41,8 +42,9 @@ struct Shown {
 };
 
 /// Orthographic, the whole mesh, for each direction (towards the viewer, not zero). O(faces + pixels) for each, on all
-/// threads of oneTBB.
-std::vector<Shown> measure_shown(const Mesh& mesh, std::span<const glm::dvec3> directions);
+/// threads of oneTBB. Throws Error{cancelled}.
+std::vector<Shown> measure_shown(const Mesh& mesh, std::span<const glm::dvec3> directions,
+                                 const std::stop_token& stop = {});
 
 /// Of length 1, from the mesh towards the viewer. three_quarter_direction(up) for a mesh without planes. Does
 /// not depend on the number of threads. 0.1 s for 100,000 faces. Throws Error{cancelled}.

@@ -110,6 +110,10 @@ TEST_CASE("choosing a direction is cancelled") {
     CHECK_THROWS_AS(choose_picture_direction(Mesh(make_built_in_shape("knot", 2000)), {0, 1, 0},
                                              {stop.get_token(), {}}),
                     Error);
+    const glm::dvec3 direction(1, 0, 0);
+    CHECK_THROWS_AS(
+        measure_shown(Mesh(make_built_in_shape("knot", 2000)), {&direction, 1}, stop.get_token()),
+        Error);
 }
 
 }  // namespace
