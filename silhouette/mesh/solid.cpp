@@ -14,6 +14,7 @@
 
 #include "silhouette/mesh/face_pairs.h"
 #include "silhouette/mesh/face_tree.h"
+#include "silhouette/mesh/line_hit.h"
 
 namespace rimline {
 
@@ -24,6 +25,7 @@ constexpr double k_rounding = 0x1p-40;
 // Beyond this many pairs of overlapping boxes the test gives up. In a fan all boxes overlap at its center.
 constexpr std::uint64_t k_pairs_a_face = 256;
 constexpr std::uint64_t k_min_pairs = 1u << 22;
+constexpr std::uint32_t k_solid_faces_a_checkpoint = 1u << 18;
 
 using Points = std::span<const glm::dvec3>;
 using Segment = std::array<glm::dvec3, 2>;
@@ -79,13 +81,6 @@ bool are_apart(const Segment& segment, const Corners& t) {
             return true;
     }
     return false;
-}
-
-Corners corners_of(const Mesh& mesh, std::uint32_t face) {
-    Corners corners;
-    for (std::size_t i = 0; i < 3; ++i)
-        corners[i] = glm::dvec3(mesh.positions()[index(mesh.triangles()[face][i])]);
-    return corners;
 }
 
 // Whether two faces may meet outside the corners and edges that they share.
@@ -173,10 +168,11 @@ bool one_shell_turns_outwards(const Mesh& mesh) {
 }
 
 // Whether every set of faces connected by edges encloses a positive volume.
-bool shells_turn_outwards(const Mesh& mesh) {
+bool shells_turn_outwards(const Mesh& mesh, const LongCall& stop) {
     if (mesh.component_count() == 1) return one_shell_turns_outwards(mesh);
     std::vector<std::uint8_t> seen(mesh.face_count(), 0);
     std::vector<std::uint32_t> open;
+    std::uint32_t faces = 0;
     for (std::uint32_t first = 0; first < mesh.face_count(); ++first) {
         if (seen[first]) continue;
         SumOfVolumes sum(first_corner(mesh, first));
@@ -186,6 +182,7 @@ bool shells_turn_outwards(const Mesh& mesh) {
             const std::uint32_t face = open.back();
             open.pop_back();
             sum.add(corners_of(mesh, face));
+            if (++faces % k_solid_faces_a_checkpoint == 0) stop.checkpoint(0.0);
             for (const EdgeId edge : mesh.edges_of(FaceId{face}))
                 for (const FaceId next : mesh.edge(edge).faces)
                     if (!seen[index(next)]) {
@@ -204,19 +201,22 @@ std::uint64_t max_pairs(const Mesh& mesh) {
 
 // Whether the faces around corners are already too many pairs, before anything is searched: their boxes overlap there.
 // All edges are regular: no pair shares a corner more than once, but for one edge of each further time.
-bool has_large_fans(const Mesh& mesh) {
+bool has_large_fans(const Mesh& mesh, const LongCall& stop) {
     std::vector<std::uint32_t> faces_at(mesh.vertex_count(), 0);
     std::uint64_t pairs = 0;
-    for (const Triangle& triangle : mesh.triangles())
-        for (const VertexId corner : triangle) pairs += faces_at[index(corner)]++;
+    for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
+        if (face % k_solid_faces_a_checkpoint == 0) stop.checkpoint(0.0);
+        for (const VertexId corner : mesh.triangles()[face]) pairs += faces_at[index(corner)]++;
+    }
     return pairs > max_pairs(mesh) + mesh.edge_count();
 }
 
-bool may_be_solid(const Mesh& mesh) {
+bool may_be_solid(const Mesh& mesh, const LongCall& call) {
+    const LongCall stop{call.stop, {}};
     return mesh.face_count() > 0 &&
            mesh.edges_of_class(EdgeClass::regular).size() == mesh.edge_count() &&
-           std::ranges::all_of(mesh.planes(), &Plane::has_normal) && shells_turn_outwards(mesh) &&
-           !has_large_fans(mesh);
+           std::ranges::all_of(mesh.planes(), &Plane::has_normal) &&
+           shells_turn_outwards(mesh, stop) && !has_large_fans(mesh, stop);
 }
 
 bool meets_itself_nowhere(const Mesh& mesh, const FaceTree& tree, const LongCall& call) {
@@ -232,11 +232,12 @@ bool meets_itself_nowhere(const Mesh& mesh, const FaceTree& tree, const LongCall
 }  // namespace
 
 bool is_solid(const Mesh& mesh, const LongCall& call) {
-    return may_be_solid(mesh) && meets_itself_nowhere(mesh, FaceTree(mesh), call);
+    return may_be_solid(mesh, call) &&
+           meets_itself_nowhere(mesh, FaceTree(mesh, {call.stop, {}}), call);
 }
 
 bool is_solid(const Mesh& mesh, const FaceTree& tree, const LongCall& call) {
-    return may_be_solid(mesh) && meets_itself_nowhere(mesh, tree, call);
+    return may_be_solid(mesh, call) && meets_itself_nowhere(mesh, tree, call);
 }
 
 }  // namespace rimline

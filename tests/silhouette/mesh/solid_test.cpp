@@ -223,6 +223,8 @@ TEST_CASE("asking whether a mesh is a solid can be stopped, and reports how far 
     CHECK(std::ranges::is_sorted(reports));
     stop.request_stop();
     CHECK_THROWS_AS(is_solid(mesh, {stop.get_token(), {}}), Error);
+    // Also where nothing is searched.
+    CHECK_THROWS_AS(is_solid(Mesh(cone(50'000)), {stop.get_token(), {}}), Error);
 }
 
 }  // namespace
