@@ -3,18 +3,11 @@
 #include <cmath>
 #include <glm/vec3.hpp>
 
+#include "silhouette/mesh/opposite_corner.h"
+
 namespace rimline {
 
 namespace {
-
-// The corner of `face` that is not on the edge.
-glm::dvec3 far_corner(const Mesh& mesh, FaceId face, const Edge& edge) noexcept {
-    const Triangle& t = mesh.triangles()[index(face)];
-    for (const VertexId v : t)
-        if (v != edge.vertices[0] && v != edge.vertices[1])
-            return glm::dvec3(mesh.positions()[index(v)]);
-    return glm::dvec3(mesh.positions()[index(edge.vertices[0])]);  // Not reached: corners differ.
-}
 
 // u x v · w and an upper bound of its error. For u, v and w that are differences rounded once, the bound
 // is (7 + 56e)e times the sum of the absolute terms, e = 2^-53. No value overflows or is subnormal,
@@ -42,8 +35,8 @@ EdgeConvexity edge_convexity(const Mesh& mesh, EdgeId edge) noexcept {
     const Edge& e = mesh.edge(edge);
     const glm::dvec3 a(mesh.positions()[index(e.vertices[0])]);
     const glm::dvec3 b(mesh.positions()[index(e.vertices[1])]);
-    const Determinant det = determinant(b - a, far_corner(mesh, e.faces[0], e) - a,
-                                        far_corner(mesh, e.faces[1], e) - a);
+    const Determinant det = determinant(b - a, opposite_corner_of(mesh, e.faces[0], e) - a,
+                                        opposite_corner_of(mesh, e.faces[1], e) - a);
     if (det.value < -det.error) return EdgeConvexity::convex;
     return det.value > det.error ? EdgeConvexity::concave : EdgeConvexity::flat;
 }

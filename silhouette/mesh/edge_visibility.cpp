@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "silhouette/mesh/creases.h"
+#include "silhouette/mesh/opposite_corner.h"
 
 namespace rimline {
 
@@ -16,22 +17,13 @@ namespace {
 
 constexpr std::uint32_t k_edges_a_task = 4096;
 
-// The corner of `face` that is not on the edge.
-glm::dvec3 apex_of(const Mesh& mesh, FaceId face, const Edge& edge) noexcept {
-    const Triangle& t = mesh.triangles()[index(face)];
-    const auto apex = std::ranges::find_if(
-        t, [&](VertexId v) { return v != edge.vertices[0] && v != edge.vertices[1]; });
-    RIMLINE_CHECK(apex != t.end());  // Faces with equal corners have no edges.
-    return glm::dvec3(mesh.positions()[index(*apex)]);
-}
-
 // Whether the four corners of an edge of two faces are in one plane but for rounding.
 bool is_flat(const Mesh& mesh, EdgeId edge) noexcept {
     const Edge& e = mesh.edge(edge);
     const glm::dvec3 a(mesh.positions()[index(e.vertices[0])]);
     const glm::dvec3 b(mesh.positions()[index(e.vertices[1])]);
-    const glm::dvec3 c = apex_of(mesh, e.faces[0], e);
-    const glm::dvec3 d = apex_of(mesh, e.faces[1], e);
+    const glm::dvec3 c = opposite_corner_of(mesh, e.faces[0], e);
+    const glm::dvec3 d = opposite_corner_of(mesh, e.faces[1], e);
     double largest = 0.0;
     for (const glm::dvec3& p : {a, b, c, d})
         for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, std::abs(p[axis]));
