@@ -123,9 +123,7 @@ MeshSource subdivided(const std::string& model, MeshSource source, std::uint32_t
     if (source.triangles.empty())
         throw Error(ErrorCode::bad_input, model + ": --subdivide: it has no faces");
     const LongCall call = begin("subdividing " + model);
-    MeshSource refined = about_model(model, [&] { return subdivide_loop(source, steps, call); });
-    refined.warnings = std::move(source.warnings);
-    return refined;
+    return about_model(model, [&] { return subdivide_loop(source, steps, call); });
 }
 
 MeshSource load_model(const std::string& model, std::uint32_t subdivide,

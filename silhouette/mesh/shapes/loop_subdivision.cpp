@@ -1,10 +1,12 @@
 #include "silhouette/mesh/shapes/loop_subdivision.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "silhouette/gradual_resize.h"
 #include "silhouette/mesh/mesh.h"
+#include "silhouette/mesh/opposite_corner.h"
 
 namespace rimline {
 
@@ -36,12 +38,6 @@ glm::dvec3 moved(const glm::dvec3& v, const Neighborhood& around) {
     return (1.0 - n_beta) * v + n_beta * (around.sum / n);
 }
 
-VertexId opposite_corner(const Triangle& t, const Edge& edge) {
-    for (const VertexId v : t)
-        if (v != edge.vertices[0] && v != edge.vertices[1]) return v;
-    return t[0];  // Not reached: triangles with equal corners have no edges.
-}
-
 // Values of corners for the four faces that each face becomes. New corners, which are on edges, get the mean of the
 // edge's two corners.
 template <typename Value>
@@ -68,6 +64,20 @@ FaceMaterials refined_materials(const FaceMaterials& materials) {
     refined.of_face.reserve(4 * materials.of_face.size());
     for (const MaterialId material : materials.of_face)
         refined.of_face.insert(refined.of_face.end(), 4, material);
+    return refined;
+}
+
+// Each half of an edge has the code of the edge, and edges inside a face are never drawn. Codes are those of
+// MeshSource::edge_codes.
+std::vector<std::uint8_t> refined_codes(const std::vector<std::uint8_t>& codes) {
+    std::vector<std::uint8_t> refined;
+    refined.reserve(4 * codes.size());
+    for (const std::uint8_t code : codes) {
+        const unsigned ab = code & 3u, bc = code >> 2 & 3u, ca = code >> 4 & 3u;
+        // In the order of the faces of refine(): a ab ca, ab b bc, ca bc c, ab bc ca.
+        for (const unsigned refined_code : {ab | ca << 4, ab | bc << 2, bc << 2 | ca << 4, 0u})
+            refined.push_back(static_cast<std::uint8_t>(refined_code));
+    }
     return refined;
 }
 
@@ -146,7 +156,16 @@ MeshSource subdivide_loop(const MeshSource& source, std::uint32_t steps, const L
         throw Error(ErrorCode::too_large, std::to_string(faces) + " faces refined " +
                                               std::to_string(steps) +
                                               " times would be more than 268435456");
-    if (faces == 0) return refine(Mesh(source), {}, [](double) {});
+    // What the file says besides, which a Mesh does not hold.
+    const auto with_rest = [&](MeshSource refined, std::uint32_t times) {
+        refined.edge_codes = source.edge_codes;
+        for (std::uint32_t step = 0; step < times; ++step)
+            refined.edge_codes = refined_codes(refined.edge_codes);
+        refined.warnings = source.warnings;
+        refined.files = source.files;
+        return refined;
+    };
+    if (faces == 0) return with_rest(refine(Mesh(source), {}, [](double) {}), 0);
 
     // Each step takes four times the work of the previous one.
     double total = 0.0;
@@ -165,7 +184,7 @@ MeshSource subdivide_loop(const MeshSource& source, std::uint32_t steps, const L
         done += work;
     }
     call.checkpoint(1.0);
-    return refined;
+    return with_rest(std::move(refined), steps);
 }
 
 }  // namespace rimline

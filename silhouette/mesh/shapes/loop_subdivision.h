@@ -25,10 +25,12 @@ namespace rimline {
 /// Welds `source` (equal positions are one vertex) and refines it `steps` times. The result has
 /// exactly 4^steps times the faces. Those of face f begin at 4^steps * f and have the orientation and
 /// the material of f. A corner on an edge gets the mean color of the edge's two corners. Triangles
-/// with two equal corners stay degenerate. Vertices get new numbers, and unused ones are dropped. The
-/// coordinates stay within the bounds of `source`. Zero steps return `source` unchanged. O(faces of
-/// the result) in time and memory. Throws Error{too_large} at once if the result would have more than
-/// 2^28 faces, and Error{cancelled}.
+/// with two equal corners stay degenerate. Both halves of an edge are drawn when the edge is
+/// (MeshSource::edge_codes), and new edges inside a face never. Warnings and files are those of
+/// `source`. Vertices get new numbers, and unused ones are dropped. The coordinates stay within the
+/// bounds of `source`. Zero steps return `source` unchanged. O(faces of the result) in time and
+/// memory. Throws Error{too_large} at once if the result would have more than 2^28 faces, and
+/// Error{cancelled}.
 MeshSource subdivide_loop(const MeshSource& source, std::uint32_t steps, const LongCall& call = {});
 
 }  // namespace rimline

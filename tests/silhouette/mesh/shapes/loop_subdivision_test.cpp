@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "silhouette/mesh/edge_visibility.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/silhouette/mesh/shapes/measures.h"
 #include "tests/silhouette/mesh/small_meshes.h"
@@ -342,6 +343,35 @@ TEST_CASE("results stay within the bounds of the source, the largest coordinates
     CHECK(refined.up == UpAxis::z);
     for (const glm::vec3& p : refined.positions)
         for (int axis = 0; axis < 3; ++axis) CHECK(std::abs(p[axis]) <= k_max_coordinate);
+}
+
+TEST_CASE("edges are drawn as before, and what else the file says is kept") {
+    // Two triangles at an edge that is hard; one side is a silhouette, and the others are never drawn.
+    MeshSource source{.positions = {{0, 0, 0}, {4, 0, 0}, {4, 4, 1}, {0, 4, 0}},
+                      .triangles = {{0, 1, 2}, {0, 2, 3}}};
+    source.edge_codes = {0 | 1 << 2 | 2 << 4, 3};
+    source.warnings = {"a warning"};
+    source.files = {"a.mtl"};
+    const MeshSource refined = subdivide_loop(source, 2);
+    CHECK(refined.warnings == source.warnings);
+    CHECK(refined.files == source.files);
+    REQUIRE(refined.edge_codes.size() == refined.triangles.size());
+    const Mesh mesh(refined);
+    const std::vector<EdgeVisibility> classes = edge_visibility_of_codes(mesh, refined.edge_codes);
+    CHECK(count_classes(classes).hard == 4);
+    CHECK(count_classes(classes).silhouette == 4);
+    for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
+        const Edge& edge = mesh.edge(EdgeId{e});
+        const auto all = [&](auto&& holds) {
+            return std::ranges::all_of(
+                edge.vertices, [&](VertexId v) { return holds(mesh.positions()[index(v)]); });
+        };
+        // The diagonal is the only edge of two triangles that is drawn. Its ends lie in the plane x = y.
+        if (mesh.edge_class(EdgeId{e}) != EdgeClass::border)
+            CHECK((classes[e] == EdgeVisibility::hard) ==
+                  all([](const glm::vec3& p) { return std::abs(p.x - p.y) < 1e-5f; }));
+    }
+    CHECK(subdivide_loop(make_built_in_shape("box", 12), 1).edge_codes.empty());
 }
 
 TEST_CASE("more faces than fit are refused before anything is done") {
