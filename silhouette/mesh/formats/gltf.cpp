@@ -52,7 +52,8 @@ public:
           limit_(max_elements(file_bytes_)),
           accessors_(file_, scene, buffers, file_bytes_),
           is_counted_(scene.accessors.size(), false),
-          has_no_uvs_(scene.primitives.size(), false) {}
+          has_no_uvs_(scene.primitives.size(), false),
+          has_no_colors_(scene.primitives.size(), false) {}
 
     MeshSource run(const SourceFile& file, const GltfBuffers& buffers) {
         source_.is_up_known = true;
@@ -321,7 +322,7 @@ private:
             const GltfMaterial& named = scene_.materials[*primitive.material];
             if (named.base_color || named.texture) material = MaterialId{*primitive.material};
         }
-        if (primitive.colors) {
+        if (primitive.colors && has_colors(*primitive.colors, number)) {
             GltfElements colors = accessors_.colors(*primitive.colors);
             vertex_colors_.reserve(total_.vertices);
             vertex_colors_.resize(first, glm::vec3(1.0f));
@@ -340,6 +341,17 @@ private:
         if (material != k_no_material &&
             source_.materials.materials[index(material)].texture != k_no_texture)
             add_uvs(number, count, first, first_triangle);
+    }
+
+    bool has_colors(std::uint32_t accessor, std::uint32_t number) {
+        if (accessors_.has_color_numbers(accessor)) return true;
+        if (!has_no_colors_[number])
+            add_warning(source_.warnings,
+                        file_ + ": accessors[" + std::to_string(accessor) +
+                            "]: holds colors, which should be floats or normalized unsigned "
+                            "integers of 8 or 16 bits; the colors of these vertices are missing");
+        has_no_colors_[number] = true;
+        return false;
     }
 
     // Of the triangles from `first_triangle` on, whose vertices are the `count` ones from `first` on.
@@ -402,7 +414,8 @@ private:
     std::vector<std::uint32_t> corners_;
     std::vector<glm::vec3> vertex_colors_;  // Of the first positions; white where they end.
     MaterialId white_ = k_no_material;      // Made for the first primitive that needs it.
-    std::vector<bool> has_no_uvs_;          // Primitives that have a warning about it.
+    // Primitives that have a warning about it.
+    std::vector<bool> has_no_uvs_, has_no_colors_;
     std::map<std::uint32_t, std::vector<std::uint8_t>> edge_codes_;  // Of primitives.
     std::map<std::uint32_t, std::uint64_t>
         min_vertices_;  // The vertices that an index accessor requires.

@@ -168,9 +168,33 @@ void GltfAccessors::open_sparse(const GltfSparse& sparse, GltfElements& opened) 
     opened.read_sparse_index();
 }
 
+// Numbers of an attribute, as glTF 2 (3.7.2.1) and KHR_mesh_quantization allow them:
+//
+//                          float   normalized unsigned 8, 16   any other 8, 16   32-bit integers
+//   positions              yes     quantized                   quantized         no
+//   texture coordinates    yes     yes                         quantized         no
+//   colors                 yes     yes                         no                no
+bool GltfAccessors::has_color_numbers(std::uint32_t accessor) const {
+    const GltfAccessor& a = scene_.accessors[accessor];
+    const ScalarType type = *scalar_type(a.component);
+    return type == ScalarType::float32 ||
+           (a.is_normalized && (type == ScalarType::uint8 || type == ScalarType::uint16));
+}
+
+bool GltfAccessors::has_quantized_numbers(std::uint32_t accessor) const {
+    return scene_.is_quantized &&
+           *scalar_type(scene_.accessors[accessor].component) != ScalarType::uint32;
+}
+
 GltfElements GltfAccessors::positions(std::uint32_t accessor) const {
     if (type_of(accessor) != GltfType::vec3)
         bad_accessor(file_, accessor, "should be of type VEC3, as it holds positions");
+    const std::uint32_t component = scene_.accessors[accessor].component;
+    if (*scalar_type(component) != ScalarType::float32 && !has_quantized_numbers(accessor))
+        bad_accessor(file_, accessor,
+                     "componentType " + std::to_string(component) +
+                         ": positions are floats, or integers of 8 or 16 bits if the file lists "
+                         "KHR_mesh_quantization");
     return opened(accessor, 3);
 }
 
@@ -184,6 +208,10 @@ GltfElements GltfAccessors::colors(std::uint32_t accessor) const {
 GltfElements GltfAccessors::uvs(std::uint32_t accessor) const {
     if (type_of(accessor) != GltfType::vec2)
         bad_accessor(file_, accessor, "should be of type VEC2, as it holds texture coordinates");
+    if (!has_color_numbers(accessor) && !has_quantized_numbers(accessor))
+        bad_accessor(file_, accessor,
+                     "holds texture coordinates, which should be floats or normalized unsigned "
+                     "integers of 8 or 16 bits");
     return opened(accessor, 2);
 }
 

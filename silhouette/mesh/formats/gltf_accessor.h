@@ -20,7 +20,7 @@ public:
     std::uint32_t count() const noexcept { return count_; }
 
     // Call one of these at most count() times. They throw Error{bad_input} if sparse indices do not increase.
-    /// Three numbers of any component type, normalized if the accessor says so.
+    /// Three numbers, normalized if the accessor says so.
     glm::dvec3 position();
     /// The first three of three or four numbers, likewise, limited to [0, 1].
     glm::vec3 color();
@@ -68,7 +68,11 @@ public:
 
     // Each throws Error{bad_input} if the accessor cannot hold such elements or reaches beyond its bytes. O(1).
     GltfElements positions(std::uint32_t accessor) const;
+    /// Where has_color_numbers() is false, its numbers are no colors.
     GltfElements colors(std::uint32_t accessor) const;
+    /// Whether the numbers of an accessor that colors() accepts are floats or normalized 8 or 16 bits, unsigned: of
+    /// others glTF does not say which one is white.
+    bool has_color_numbers(std::uint32_t accessor) const;
     GltfElements uvs(std::uint32_t accessor) const;
     GltfElements indices(std::uint32_t accessor) const;
     /// Bytes, read by index().
@@ -80,6 +84,7 @@ public:
 
 private:
     GltfType type_of(std::uint32_t accessor) const;
+    bool has_quantized_numbers(std::uint32_t accessor) const;
     GltfElements opened(std::uint32_t accessor, int width) const;
     void open_sparse(const GltfSparse& sparse, GltfElements& elements) const;
     GltfElements::Elements elements(std::uint32_t accessor, const char* part, std::uint32_t view,

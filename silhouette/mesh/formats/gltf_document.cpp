@@ -13,17 +13,19 @@ namespace rimline {
 
 namespace {
 
+constexpr const char* k_quantization = "KHR_mesh_quantization";
+
 // Extensions that do not affect the positions of triangles, or that are supported here.
 bool is_harmless(std::string_view extension) noexcept {
     for (const std::string_view prefix :
          {"KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_", "KHR_lights_",
-          "EXT_lights_", "KHR_mesh_quantization", k_gltf_edges, "KHR_xmp", "KHR_animation_",
+          "EXT_lights_", k_quantization, k_gltf_edges, "KHR_xmp", "KHR_animation_",
           "ADOBE_materials_"})
         if (extension.starts_with(prefix)) return true;
     return false;
 }
 
-void check_version_and_extensions(const GltfPlace& root) {
+void check_version_and_extensions(const GltfPlace& root, GltfScene& scene) {
     const GltfPlace asset = root.at("asset").object();
     const std::string_view version = asset.at("version").string();
     if (!version.starts_with("2."))
@@ -38,6 +40,7 @@ void check_version_and_extensions(const GltfPlace& root) {
     if (const auto required = root.find("extensionsRequired"))
         required->each([&](JsonValue value, std::size_t i) {
             const GltfPlace extension = required->item(value, i);
+            scene.is_quantized = scene.is_quantized || extension.string() == k_quantization;
             if (!is_harmless(extension.string()))
                 extension.fail("the file requires the extension " + excerpt(extension.string()) +
                                ", which is not supported; export it without");
@@ -45,6 +48,7 @@ void check_version_and_extensions(const GltfPlace& root) {
     if (const auto used = root.find("extensionsUsed"))
         used->each([&](JsonValue value, std::size_t i) {
             const GltfPlace extension = used->item(value, i);
+            scene.is_quantized = scene.is_quantized || extension.string() == k_quantization;
             if (extension.string() == "EXT_mesh_gpu_instancing")
                 extension.fail(
                     "instances by EXT_mesh_gpu_instancing are not supported; export "
@@ -253,9 +257,9 @@ GltfScene read_gltf_scene(const std::string& name, std::string_view text, std::s
     JsonDocument document(name, text, first_byte, call.part(0.0, k_parsed));
     const GltfPlace root(name, document.root());
     root.object();
-    check_version_and_extensions(root);
 
     GltfScene scene;
+    check_version_and_extensions(root, scene);
     // Fills a list, whose size is known, so it does not take twice its memory while it grows.
     const auto read_list = [&](const char* key, auto& list, const auto& read) {
         list.reserve(root.count(key));

@@ -138,6 +138,8 @@ struct GltfScene {
     std::vector<GltfNode> nodes;
     /// The nodes of the default scene, else of the first scene, else all nodes without a parent.
     std::vector<std::uint32_t> roots;
+    /// Whether the file lists KHR_mesh_quantization: positions and texture coordinates may be integers of 8 or 16 bits.
+    bool is_quantized = false;
     std::vector<std::string> warnings;  ///< About textures that cannot be used.
     std::deque<std::string> strings;    ///< The URIs are views of these.
 };

@@ -316,6 +316,25 @@ TEST_CASE(
     CHECK(colors_of(twice, 2) == std::vector{first[0], first[2], first[1]});
 }
 
+TEST_CASE("glTF: colors whose numbers glTF does not allow are a warning, and missing") {
+    // Bytes and shorts that are not normalized, and signed bytes that are.
+    for (const auto& [color, found, numbers] :
+         {std::array<std::string, 3>{"2", R"(5121, "normalized": true)", "5121"},
+          {"3", R"(5123, "normalized": true)", "5123"},
+          {"2", R"(5121, "normalized": true)", R"(5120, "normalized": true)"},
+          {"3", R"(5123, "normalized": true)", R"(5122, "normalized": true)"}}) {
+        CAPTURE(numbers);
+        std::string document = strips({R"(, "COLOR_0": )" + color + "}}"});
+        REQUIRE(materials_of(document).materials.size() == 1);
+        document.replace(document.find(found), found.size(), numbers);
+        const MeshSource source = read_text("a.gltf", document);
+        CHECK(source.triangles.size() == 2);
+        CHECK(source.materials.empty());
+        REQUIRE(source.warnings.size() == 1);
+        CHECK(has(source.warnings[0], "accessors[" + color + "]: holds colors, which should be"));
+    }
+}
+
 TEST_CASE("glTF: faulty materials and colors are named") {
     const auto error = [](const std::string& document) { return error_of("a.gltf", document); };
     CHECK(has(error(strips({R"(}, "material": 1})"}, "[{}]")), "material 1 does not exist"));

@@ -55,6 +55,11 @@ std::string accessor_mesh(const std::string& views, const std::string& position,
         buffer);
 }
 
+// With KHR_mesh_quantization in this list of extensions.
+std::string with_extension(const std::string& document, const std::string& list) {
+    return "{\"" + list + R"(": ["KHR_mesh_quantization"], )" + document.substr(1);
+}
+
 std::vector<glm::vec3> points_of(const std::string& bytes) {
     return read_text("a.gltf", bytes, FaceRequirement::faces_or_points).positions;
 }
@@ -162,9 +167,11 @@ TEST_CASE("glTF: positions of every component type, normalized or not, strided a
         bytes.add<std::int8_t>(-128).add<std::int8_t>(127).add<std::int8_t>(0).add<std::int8_t>(99);
     const std::string view = R"({"buffer": 0, "byteOffset": 2, "byteLength": 10, "byteStride": 4})";
     const auto of = [&](const std::string& type, const std::string& more) {
-        return accessor_mesh(view, R"({"bufferView": 0, "byteOffset": 2, "count": 2, "type": "VEC3",
+        return with_extension(
+            accessor_mesh(view, R"({"bufferView": 0, "byteOffset": 2, "count": 2, "type": "VEC3",
 "componentType": )" + type + more + "}",
-                             bytes.str());
+                          bytes.str()),
+            "extensionsUsed");
     };
     CHECK(points_of(of("5120", ""))[1] == glm::vec3(-128, 127, 0));
     CHECK(points_of(of("5120", R"(, "normalized": true)"))[1] == glm::vec3(-1, 1, 0));
@@ -176,10 +183,12 @@ TEST_CASE("glTF: positions of every component type, normalized or not, strided a
     Bytes shorts;
     shorts.add<std::int16_t>(-32768).add<std::int16_t>(32767).add<std::int16_t>(-1);
     const auto of_shorts = [&](const std::string& type, const std::string& more) {
-        return accessor_mesh(R"({"buffer": 0, "byteLength": 6})",
-                             R"({"bufferView": 0, "count": 1, "type": "VEC3", "componentType": )" +
-                                 type + more + "}",
-                             shorts.str());
+        return with_extension(
+            accessor_mesh(R"({"buffer": 0, "byteLength": 6})",
+                          R"({"bufferView": 0, "count": 1, "type": "VEC3", "componentType": )" +
+                              type + more + "}",
+                          shorts.str()),
+            "extensionsRequired");
     };
     CHECK(points_of(of_shorts("5122", ""))[0] == glm::vec3(-32768, 32767, -1));
     CHECK(points_of(of_shorts("5122", R"(, "normalized": true)"))[0] ==
@@ -188,10 +197,21 @@ TEST_CASE("glTF: positions of every component type, normalized or not, strided a
     CHECK(points_of(of_shorts("5123", R"(, "normalized": true)"))[0].z == 1.0f);
     Bytes ints;
     ints.add<std::uint32_t>(7).add<std::uint32_t>(4000000000u).add<std::uint32_t>(0);
-    CHECK(points_of(accessor_mesh(
-              R"({"buffer": 0, "byteLength": 12})",
-              R"({"bufferView": 0, "count": 1, "type": "VEC3", "componentType": 5125})",
-              ints.str()))[0] == glm::vec3(7, 4e9f, 0));
+    const std::string unsigned_ints = accessor_mesh(
+        R"({"buffer": 0, "byteLength": 12})",
+        R"({"bufferView": 0, "count": 1, "type": "VEC3", "componentType": 5125})", ints.str());
+    for (const std::string& document :
+         {unsigned_ints, with_extension(unsigned_ints, "extensionsUsed")})
+        CHECK(has(error(document), "accessors[0]: componentType 5125: positions are floats, or"));
+    // Integers need the extension.
+    for (const char* type : {"5122", "5123"})
+        for (const char* more : {"", R"(, "normalized": true)"}) {
+            const std::string document = of_shorts(type, more);
+            const auto at = document.find(R"("extensionsRequired")");
+            CHECK(has(error(document.substr(0, at) + R"("asset2")" +
+                            document.substr(at + std::string(R"("extensionsRequired")").size())),
+                      "accessors[0]: componentType " + std::string(type)));
+        }
 }
 
 TEST_CASE("glTF: sparse accessors replace elements, of a view or of zeros and indices too") {

@@ -89,6 +89,21 @@ MeshSource read_gltf_with_textures(const std::string& document) {
 
 }  // namespace
 
+TEST_CASE("glTF: texture coordinates whose numbers glTF does not allow are a warning") {
+    const std::string use = R"({"index": 0, "texCoord": 1})";
+    const std::string found = R"(5121, "normalized": true)";
+    std::string document = textured_gltf(use, k_parts);
+    CHECK(read_gltf_with_textures(document).warnings.empty());
+    document.replace(document.find(found), found.size(), "5121");
+    const MeshSource source = read_gltf_with_textures(document);
+    REQUIRE(source.warnings.size() == 1);
+    CHECK(source.warnings[0].find("accessors[2]: holds texture coordinates, which should be") !=
+          std::string::npos);
+    // An extension allows them.
+    document = R"({"extensionsUsed": ["KHR_mesh_quantization"], )" + document.substr(1);
+    CHECK(read_gltf_with_textures(document).warnings.empty());
+}
+
 TEST_CASE("OBJ: corners have texture coordinates, and materials the pictures of map_Kd") {
     const MeshSource source = read_textured(
         "f 1/1 2/2 3/3\nusemtl red\nf 1/1 2/2 3/3 4/-1\nf 4 3/3/ 2//\nusemtl plain\nf 1/1 2/2 "
