@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "silhouette/mesh/formats/file_colors.h"
+#include "silhouette/mesh/formats/float_of.h"
 #include "silhouette/mesh/formats/text_scanner.h"
 #include "silhouette/srgb.h"
 
@@ -166,10 +167,10 @@ private:
         const std::string_view first = scanner.token();
         if (first == "spectral" || first == "xyz")
             scanner.fail("Kd " + std::string(first) + " is not supported; write Kd r g b");
-        glm::vec3 color(static_cast<float>(scanner.number(first, k_what)));
+        glm::vec3 color(float_of(scanner.number(first, k_what)));
         if (const std::string_view second = scanner.token(); !second.empty()) {
-            color.y = static_cast<float>(scanner.number(second, k_what));
-            color.z = static_cast<float>(scanner.number(k_what));
+            color.y = float_of(scanner.number(second, k_what));
+            color.z = float_of(scanner.number(k_what));
             scanner.expect_end_of_line("Kd r g b");
         }
         for (int i = 0; i < 3; ++i)

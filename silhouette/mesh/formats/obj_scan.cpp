@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "silhouette/mesh/formats/float_of.h"
 #include "silhouette/mesh/formats/mtl.h"
 #include "silhouette/mesh/formats/readers.h"
 #include "silhouette/mesh/formats/text_scanner.h"
@@ -17,19 +18,19 @@ namespace rimline {
 
 namespace {
 
-// Statements that do not affect faces.
-constexpr std::array<std::string_view, 34> k_ignored{
+// Statements that do not affect faces. Of the superseded ones, cdc is a curve, and res the fineness of curves and
+// patches.
+constexpr std::array<std::string_view, 36> k_ignored{
     "g",    "s",    "o",        "mg",       "usemtl",     "mtllib",    "usemap", "maplib", "bevel",
     "lod",  "deg",  "c_interp", "d_interp", "shadow_obj", "trace_obj", "ctech",  "stech",  "cstype",
     "bmat", "step", "curv",     "curv2",    "parm",       "trim",      "hole",   "scrv",   "sp",
-    "end",  "con",  "vp",       "vw",       "t",          "csh",       "scmp"};
+    "end",  "con",  "vp",       "vw",       "t",          "csh",       "scmp",   "cdc",    "res"};
 // Ignored statements that hold names. Names may be Windows paths, so a final backslash is part of
 // the name.
 constexpr std::array<std::string_view, 9> k_named{
     "g", "s", "o", "usemtl", "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj"};
 // Unsupported statements that make faces.
-constexpr std::array<std::string_view, 7> k_unsupported{"surf", "fo",  "call", "bsp",
-                                                        "bzp",  "cdc", "cdp"};
+constexpr std::array<std::string_view, 6> k_unsupported{"surf", "fo", "call", "bsp", "bzp", "cdp"};
 
 bool holds(std::span<const std::string_view> words, std::string_view word) {
     return std::find(words.begin(), words.end(), word) != words.end();
@@ -118,7 +119,7 @@ private:
         glm::vec3 color(0.0f);
         for (std::string_view t = scanner_.token(); !t.empty(); t = scanner_.token(), ++more) {
             const double value = scanner_.number(t, "a vertex's weight or color");
-            if (more < 3) color[more] = static_cast<float>(value);
+            if (more < 3) color[more] = float_of(value);
         }
         if (more != 0 && more != 1 && more != 3 && more != 4)
             scanner_.fail("a vertex with " + std::to_string(3 + more) +
@@ -169,7 +170,7 @@ private:
         if (!points_) return read_numbers(normals_, 3, 3);
         glm::vec3 normal;
         for (int axis = 0; axis < 3; ++axis)
-            normal[axis] = static_cast<float>(scanner_.number(normals_.number));
+            normal[axis] = float_of(scanner_.number(normals_.number));
         scanner_.expect_end_of_line(normals_.number);
         ++normals_.count;
         normal_values_.push_back(normal);
@@ -179,9 +180,9 @@ private:
     void read_uv() {
         if (points_) return read_numbers(textures_, 1, 3);
         glm::vec2 uv(0.0f);
-        uv.x = static_cast<float>(scanner_.number(textures_.number));
+        uv.x = float_of(scanner_.number(textures_.number));
         if (const std::string_view v = scanner_.token(); !v.empty()) {
-            uv.y = static_cast<float>(scanner_.number(v, textures_.number));
+            uv.y = float_of(scanner_.number(v, textures_.number));
             if (const std::string_view w = scanner_.token(); !w.empty())
                 scanner_.skip_number(w, textures_.number);
         }

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "silhouette/mesh/formats/float_of.h"
 #include "silhouette/mesh/formats/ply_body.h"
 #include "silhouette/mesh/formats/readers.h"
 
@@ -101,14 +102,13 @@ private:
             if (const std::string why = refusal(i, position, bad_); !why.empty())
                 body.fail_element(why);
             source.positions.push_back(position);
-            if (has_normals) source.normals.push_back(glm::dvec3(record[3], record[4], record[5]));
-            if (has_intensities)
-                source.intensities.push_back(static_cast<float>(record[k_intensity]));
+            if (has_normals)
+                source.normals.push_back(float_of(glm::dvec3(record[3], record[4], record[5])));
+            if (has_intensities) source.intensities.push_back(float_of(record[k_intensity]));
             if (has_colors) {
                 PointColor color;
                 for (std::size_t c = 0; c < 3; ++c)
-                    color[c] =
-                        color_byte(static_cast<float>(record[k_first_color + c]) * color_scales[c]);
+                    color[c] = color_byte(float_of(record[k_first_color + c]) * color_scales[c]);
                 source.colors.push_back(color);
             }
         }

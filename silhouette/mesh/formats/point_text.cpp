@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "silhouette/mesh/formats/float_of.h"
 #include "silhouette/mesh/formats/readers.h"
 #include "silhouette/mesh/formats/text_scanner.h"
 
@@ -105,12 +106,11 @@ private:
         if (positions.size() == k_max_file_vertices)
             throw Error(ErrorCode::too_large, file_.name + ": more than 2^32 points");
         positions.push_back(position);
-        if (first_triple_ == 4)
-            records_.source.intensities.push_back(static_cast<float>(numbers_[3]));
+        if (first_triple_ == 4) records_.source.intensities.push_back(float_of(numbers_[3]));
         for (std::size_t t = 0; t < triples_.size(); ++t) {
             if (!triples_[t].can_be_used()) continue;
             const std::size_t c = first_triple_ + 3 * t;
-            triples_[t].add(glm::dvec3(numbers_[c], numbers_[c + 1], numbers_[c + 2]));
+            triples_[t].add(float_of(glm::dvec3(numbers_[c], numbers_[c + 1], numbers_[c + 2])));
         }
     }
 

@@ -57,7 +57,8 @@ TEST_CASE("OBJ: a concave polygon is cut inside, not fanned") {
 
 TEST_CASE("OBJ: points, lines, parameters and groups are scanned and make no faces") {
     const std::string more =
-        "p 1 2\nl 1 2/1 3\nvt 0\nvp 1 1\ng\ng a b\ns 1\no\nusemtl a b\nl 4 1\n";
+        "p 1 2\nl 1 2/1 3\nvt 0\nvp 1 1\ng\ng a b\ns 1\no\nusemtl a b\nl 4 1\n"
+        "res 3 4\ncdc 1 2 3 4\n";
     CHECK(read_text("a.obj", k_square + more + "f 1 2 3\n").triangles.size() == 1);
     CHECK(read_text("a.obj", k_square + more, FaceRequirement::faces_or_points).triangles.empty());
     CHECK(has(error_of("a.obj", k_square + more, FaceRequirement::faces), "no faces: it holds 4"));
@@ -105,6 +106,9 @@ TEST_CASE("OBJ: what is wrong is named with its line") {
                              "surf 0 1 0 1",
                              "fo 1 2 3",
                              "call other.obj",
+                             "bsp 1 2 3 4",
+                             "bzp 1 2 3 4",
+                             "cdp 1 2 3 4",
                              "nonsense",
                              "v\x01 1 2 3",
                              "f 1 2 \\"}) {
