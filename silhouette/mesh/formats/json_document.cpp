@@ -60,7 +60,7 @@ struct JsonListFiller {
         return true;
     }
     bool begin(JsonType type) {
-        if (open.size() > k_max_depth)
+        if (open.size() >= k_max_depth)
             bad_file(name, "the document nests more than 64 levels deep, which no glTF does");
         open.push_back(document.values_.size());
         return add(type, 0);

@@ -82,13 +82,13 @@ TEST_CASE("JSON: errors name the byte, and depth is limited") {
     const auto nested = [](std::size_t depth) {
         return std::string(depth, '[') + std::string(depth, ']');
     };
-    CHECK(json_error(nested(65)).empty());
-    CHECK(json_error(nested(66)) ==
+    CHECK(json_error(nested(64)).empty());
+    CHECK(json_error(nested(65)) ==
           "a: the document nests more than 64 levels deep, which no glTF does");
-    CHECK(json_error(std::string(1000000, '[')) == json_error(nested(66)));
+    CHECK(json_error(std::string(1000000, '[')) == json_error(nested(65)));
     std::string objects;
     for (int i = 0; i < 100000; ++i) objects += R"({"a":)";
-    CHECK(json_error(objects) == json_error(nested(66)));
+    CHECK(json_error(objects) == json_error(nested(65)));
 }
 
 TEST_CASE("JSON: a stop is seen within a long string") {
