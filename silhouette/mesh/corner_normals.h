@@ -25,7 +25,7 @@ namespace rimline {
 /// One unit normal per corner. Those of face f are elements 3f, 3f + 1, 3f + 2. All are finite and of
 /// length 1 up to rounding. `crease_angle_rad` is in [0, pi]: 0 joins coplanar faces only, pi joins
 /// all. Degenerate faces have weight 0. Their corners take a neighbor's normal, or +y if no neighbor
-/// has one. O(faces) times the inverse Ackermann function, for any valences; most of it on all threads of oneTBB. The
+/// has one. O(n log n) for n faces of any valences, in practice O(n); most of it on all threads of oneTBB. The
 /// result does not depend on their number. Throws Error{cancelled}.
 std::vector<glm::vec3> corner_normals(const Mesh& mesh, float crease_angle_rad,
                                       const std::stop_token& stop = {});

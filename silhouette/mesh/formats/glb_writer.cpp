@@ -49,6 +49,8 @@ public:
         : mesh_(mesh), options_(options), is_written_(mesh.edge_count(), 0) {}
 
     std::string bytes() {
+        check_size(mesh_.positions().size_bytes() +
+                   std::uint64_t{3} * mesh_.face_count() * (has_short_indices() ? 2 : 4));
         document_["asset"] = {{"version", "2.0"}, {"generator", "rimline"}};
         add_positions();
         GlbJson primitives = GlbJson::array();
@@ -186,8 +188,10 @@ private:
                      {{"min", {low.x, low.y, low.z}}, {"max", {high.x, high.y, high.z}}});
     }
 
+    bool has_short_indices() const { return mesh_.vertex_count() <= k_max_short_vertices; }
+
     std::size_t add_indices(const std::vector<FaceId>& faces) {
-        const bool are_short = mesh_.vertex_count() <= k_max_short_vertices;
+        const bool are_short = has_short_indices();
         begin_view({{"target", k_element_array_buffer}});
         char* at = extended_by(3 * faces.size() * (are_short ? 2 : 4));
         for (const FaceId face : faces)
@@ -211,8 +215,6 @@ private:
     // Returns the number of the accessor.
     std::size_t end_accessor(int component, std::size_t count, const char* type,
                              const GlbJson& properties = GlbJson::object()) {
-        if (binary_.size() > k_max_bytes)
-            throw Error(ErrorCode::too_large, "a GLB file of 2^31 bytes or more is too large");
         view_["byteLength"] = binary_.size() - view_begin_;
         views_.push_back(view_);
         GlbJson accessor{{"bufferView", views_.size() - 1},
@@ -224,9 +226,16 @@ private:
         return accessors_.size() - 1;
     }
 
+    // Before memory is taken. Sizes are below 2^63.
+    static void check_size(std::uint64_t bytes) {
+        if (bytes > k_max_bytes)
+            throw Error(ErrorCode::too_large, "a GLB file of 2^31 bytes or more is too large");
+    }
+
     // Where as many bytes were added.
     char* extended_by(std::size_t bytes) {
         const std::size_t size = binary_.size();
+        check_size(std::uint64_t{size} + bytes);
         binary_.resize(size + bytes);
         return binary_.data() + size;
     }
@@ -236,6 +245,7 @@ private:
         std::string json = document_.dump();
         while (json.size() % 4 != 0) json += ' ';
         while (binary_.size() % 4 != 0) binary_ += '\0';
+        check_size(std::uint64_t{28} + json.size() + binary_.size());
         std::string file;
         file.reserve(28 + json.size() + binary_.size());
         const auto add_word = [&](std::size_t value) {
@@ -256,7 +266,7 @@ private:
         return file;
     }
 
-    static constexpr std::size_t k_max_bytes = 0x7fff0000;  // Leaves room for the document.
+    static constexpr std::uint64_t k_max_bytes = 0x7fffffff;
 
     const Mesh& mesh_;
     const GlbOptions& options_;
@@ -284,8 +294,8 @@ std::array<glm::vec3, 2> silhouette_normals(const Mesh& mesh, EdgeId edge, FaceI
         return glm::vec3(plane.nx, plane.ny, plane.nz);
     };
     const std::span<const FaceId> faces = mesh.faces_of(edge);
-    const FaceId* other = std::ranges::find_if(faces, [&](FaceId f) { return f != first; }).base();
-    const bool has_other = other != faces.data() + faces.size();
+    const auto other = std::ranges::find_if(faces, [&](FaceId f) { return f != first; });
+    const bool has_other = other != faces.end();
     glm::vec3 a = normal(first);
     glm::vec3 b = has_other ? normal(*other) : glm::vec3(0.0f);
     if (mesh.edge_class(edge) == EdgeClass::inconsistent) b = -b;

@@ -75,6 +75,8 @@ MeshSource read_stl_text(const SourceFile& file, BadPoints bad, const LongCall& 
             if (inner.empty()) scanner.fail("the file ends before 'endsolid'; it is truncated");
             if (!equals_ignoring_case(inner, "facet"))
                 scanner.fail(excerpt(inner) + " where 'facet' or 'endsolid' should stand");
+            if (source.positions.size() > k_max_file_vertices - 3)
+                throw Error(ErrorCode::too_large, file.name + ": more than 2^32 vertices");
             read_facet(scanner, bad, source);
             if (source.triangles.size() % k_checkpoint_interval == 0)
                 parse_checkpoint(call, scanner.share());
