@@ -87,6 +87,15 @@ void check_same(const PointSilhouette& silhouette, const std::set<PointEdge>& ex
     REQUIRE(silhouette.consensus_edges() == consensus);
 }
 
+// What is said to have changed is what did.
+void check_change(const std::vector<PointId>& before, const PointSilhouette::Change& change,
+                  const std::vector<PointId>& after) {
+    std::set<PointId> expected(before.begin(), before.end());
+    for (const PointId p : change.added) REQUIRE(expected.insert(p).second);
+    for (const PointId p : change.removed) REQUIRE(expected.erase(p) == 1);
+    REQUIRE(std::ranges::equal(after, expected));
+}
+
 void check_against_brute_force(std::span<const glm::dvec3> positions, int moves,
                                const PointSurfaceOptions& options = {}) {
     const PointSurface surface(positions, options);
@@ -121,11 +130,7 @@ void check_against_brute_force(std::span<const glm::dvec3> positions, int moves,
         std::vector<PointId> before = silhouette.points();
         const PointSilhouette::Change change = silhouette.move_to(to);
         check_same(silhouette, brute.silhouette(to));
-        // What is said to have changed is what did.
-        std::set<PointId> expected(before.begin(), before.end());
-        for (const PointId p : change.added) REQUIRE(expected.insert(p).second);
-        for (const PointId p : change.removed) REQUIRE(expected.erase(p) == 1);
-        REQUIRE(std::ranges::equal(silhouette.points(), expected));
+        check_change(before, change, silhouette.points());
         const PointSilhouette fresh(index, to);
         REQUIRE(fresh.points() == silhouette.points());
         REQUIRE(fresh.consensus_edges() == silhouette.consensus_edges());
@@ -217,10 +222,7 @@ TEST_CASE("a move for which memory was missing leaves the next one right") {
         CHECK(silhouette.point() == from);
         const PointSilhouette::Change change = silhouette.move_to(to);
         check_same(silhouette, brute.silhouette(to));
-        std::set<PointId> expected(before.begin(), before.end());
-        for (const PointId p : change.added) REQUIRE(expected.insert(p).second);
-        for (const PointId p : change.removed) REQUIRE(expected.erase(p) == 1);
-        REQUIRE(std::ranges::equal(silhouette.points(), expected));
+        check_change(before, change, silhouette.points());
     }
     CHECK(thrown > 3);
 }
