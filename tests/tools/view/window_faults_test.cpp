@@ -16,6 +16,7 @@
 #include "tests/engine/faults/vulkan_faults.h"
 #include "tests/engine/support/requested_device.h"
 #include "tests/engine/support/test_pictures.h"
+#include "tests/rounds.h"
 #include "tests/skip.h"
 #include "tests/tools/view/virtual_display.h"
 #include "tools/view/window_renderer.h"
@@ -166,8 +167,10 @@ TEST_CASE("wherever the device of a window is lost its pictures come all the sam
 }
 
 TEST_CASE("whatever fails while a picture is drawn beside the one that is shown it comes") {
-    play_with_faults(FaultKind::failure, 29, true);
-    play_with_faults(FaultKind::lost_device, 7, true);
+    // All would take minutes under a sanitizer.
+    constexpr bool is_sanitized = tests::k_sanitized_share > 1;
+    play_with_faults(FaultKind::failure, is_sanitized ? 113 : 29, true);
+    play_with_faults(FaultKind::lost_device, is_sanitized ? 29 : 7, true);
 }
 
 TEST_CASE("a window whose image cannot be had or shown shows the next one") {
