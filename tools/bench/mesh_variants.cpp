@@ -1,7 +1,5 @@
 #include "tools/bench/mesh_variants.h"
 
-#include <meshoptimizer.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -34,22 +32,6 @@ glm::dvec3 random_direction(std::mt19937& random) {
 }
 
 }  // namespace
-
-MeshSource simplified(const Mesh& mesh, std::uint32_t faces) {
-    MeshSource source = source_of(mesh);
-    std::vector<unsigned> indices;
-    for (const auto& triangle : source.triangles)
-        indices.insert(indices.end(), triangle.begin(), triangle.end());
-    std::vector<unsigned> kept(indices.size());
-    constexpr float k_any_error = 1.0f;
-    kept.resize(meshopt_simplify(kept.data(), indices.data(), indices.size(),
-                                 &source.positions[0].x, source.positions.size(), sizeof(glm::vec3),
-                                 std::size_t{3} * faces, k_any_error, 0, nullptr));
-    source.triangles.clear();
-    for (std::size_t i = 0; i < kept.size(); i += 3)
-        source.triangles.push_back({kept[i], kept[i + 1], kept[i + 2]});
-    return source;
-}
 
 MeshSource with_noise(const Mesh& mesh, double share, std::uint32_t seed) {
     MeshSource source = source_of(mesh);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Variants of a mesh: with fewer faces, with noise, in another pose. They test whether a result is stable.
+// Variants of a mesh: with noise, in another pose. They test whether a result is stable.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -9,10 +9,6 @@
 #include "silhouette/mesh/mesh_source.h"
 
 namespace rimline::tools {
-
-/// A mesh with about `faces` faces, by edge collapses with least quadric error (meshoptimizer; Garland,
-/// Heckbert 1997). More remain where the topology does not allow fewer.
-MeshSource simplified(const Mesh& mesh, std::uint32_t faces);
 
 /// Moves every vertex by this share of the mesh's radius, in random directions.
 MeshSource with_noise(const Mesh& mesh, double share, std::uint32_t seed);

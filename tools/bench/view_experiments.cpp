@@ -9,6 +9,7 @@
 #include "silhouette/field/sun_choice.h"
 #include "tools/bench/mesh_variants.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/simplified_mesh.h"
 #include "tools/output/contact_sheet.h"
 #include "tools/output/output_folder.h"
 #include "tools/output/picture_file.h"

@@ -14,6 +14,7 @@
 #include "tools/bench/light_measures.h"
 #include "tools/bench/mesh_variants.h"
 #include "tools/bench/view_measures.h"
+#include "tools/options/simplified_mesh.h"
 #include "tools/output/view_pictures.h"
 #include "tools/progress.h"
 

@@ -2,11 +2,12 @@
 
 // How coarse the frames of a moving picture are, so that they answer the user in time.
 //
-// Frames that take longer than k_slow_ms make the next one coarser: first fewer pixels, then no shadows. Frames that
-// take less than k_fast_ms make it finer, but not soon after a finer one was too slow. An event that arrives just after
-// a frame has begun is shown by the next one, so it is answered within twice k_slow_ms, unless the coarsest frames take
-// longer. At rest the picture is drawn finely, whatever that takes; an event gives it up (window_renderer.h), so that
-// its answer waits for the passes that the device is at.
+// On a slow device they have fewer faces, where there are many (reduced_model.h). Frames that take longer than
+// k_slow_ms make the next one coarser: first fewer pixels, then no shadows. Frames that take less than k_fast_ms make
+// it finer, but not soon after a finer one was too slow. An event that arrives just after a frame has begun is shown by
+// the next one, so it is answered within twice k_slow_ms, unless the coarsest frames take longer. At rest the picture
+// is drawn finely, whatever that takes; an event gives it up (window_renderer.h), so that its answer waits for the
+// passes that the device is at.
 
 #include <array>
 #include <cstddef>
@@ -29,6 +30,7 @@ public:
     explicit Coarseness(bool is_slow_device)
         : is_slow_device_(is_slow_device), level_(is_slow_device ? 1 : 0) {}
 
+    bool is_slow_device() const noexcept { return is_slow_device_; }
     const FrameQuality& quality() const noexcept { return k_levels[level_]; }
 
     /// Adapts to what a frame of a picture at rest took: on a slow device the next movement begins at the coarsest

@@ -15,6 +15,7 @@
 #include "tools/options/placed_model.h"
 #include "tools/output/shown_lines.h"
 #include "tools/view/document_base.h"
+#include "tools/view/reduced_model.h"
 
 namespace rimline::tools {
 
@@ -53,6 +54,9 @@ public:
     const ShownLines& lines() const noexcept { return lines_; }
     /// The boxes of the octree's first origin, for display.
     const HoughBoxes& hough_boxes() const noexcept { return hough_boxes_; }
+    /// What is drawn of it while something moves on a slow device; null until it is set.
+    const ReducedModel* reduced() const noexcept { return reduced_.get(); }
+    void set_reduced(std::unique_ptr<const ReducedModel> reduced) { reduced_ = std::move(reduced); }
     /// The ground for this up axis. Built at the first call; valid as long as the document.
     const HoughOctree& ground(const glm::dvec3& up);
 
@@ -72,6 +76,7 @@ private:
     bool is_solid_;
     ShownLines lines_;
     HoughBoxes hough_boxes_;
+    std::unique_ptr<const ReducedModel> reduced_;
     std::vector<std::unique_ptr<Ground>> grounds_;
 };
 

@@ -53,6 +53,7 @@ ViewLoop::ViewLoop(Window& window, const VulkanInstance& instance, ViewSession& 
     hough_.open = options_.inspector;
     if (options_.panel && options_.fits) fit();
     if (options_.panel) {
+        reduce_model();
         find_views();
         // A run for a screenshot opens nothing to be opened again.
         if (options_.frames == 0) recent_.add(session_.document().name());
@@ -132,6 +133,27 @@ void ViewLoop::apply_keys() {
             default: break;
         }
     }
+}
+
+// Beside the frames: the first ones that move may have all faces.
+void ViewLoop::reduce_model() {
+    const ModelDocument* const model = session_.document().model();
+    if (!coarseness_.is_slow_device() || !model || !ReducedModel::is_worth_it(model->mesh()))
+        return;
+    reducer_.emplace();
+    reducer_->start({}, [&mesh = model->mesh()](const BeginCall& begin) {
+        try {
+            return std::make_unique<const ReducedModel>(mesh, begin({}));
+        } catch (const std::exception&) {
+            // Cancelled, or without memory: the window works without.
+            return std::unique_ptr<const ReducedModel>();
+        }
+    });
+}
+
+void ViewLoop::forget_document() {
+    gallery_.clear();
+    reducer_.reset();
 }
 
 void ViewLoop::find_views() {
@@ -292,6 +314,8 @@ bool ViewLoop::draw_kept() {
 ViewPicture ViewLoop::picture(bool is_fine, const LongCall& call) const {
     ViewPicture picture = session_.picture(exact_size(is_fine), call);
     if (Scene* const scene = std::get_if<Scene>(&picture)) {
+        const ReducedModel* const reduced = session_.model().reduced();
+        if (!is_fine && reduced) reduced->stand_in(scene->instances.front());
         if (!quality(is_fine).shadows) scene->shadows = false;
         scene->line_width_px /= static_cast<float>(quality(is_fine).divisor);
     }
@@ -342,13 +366,14 @@ bool ViewLoop::draw() {
     try {
         frame = draw_new(is_fine);
     } catch (const Error& error) {
-        gallery_.clear();
+        forget_document();
         cancel_load();
         if (error.code() != ErrorCode::too_large || !session_.show_previous(free_area().aspect()))
             throw;
         history_.begin(session_.edit());
         panel_.show_message(error.what(), true);
         fit();
+        reduce_model();
         find_views();
         frames_due_ = k_frames_after_event;
         return false;
@@ -396,6 +421,9 @@ bool ViewLoop::step(bool always) {
         last_change_s_ = now_s();
     }
     const bool has_new = show_loaded();
+    if (reducer_)
+        if (auto reduced = reducer_->take())
+            session_.document().model()->set_reduced(*std::move(reduced));
     const bool has_views = options_.panel && gallery_state() != shown_gallery_;
     if (has_new || has_views || loader_.stage()) frames_due_ = k_frames_after_event;
     const bool refines = is_coarse_ && now_s() - last_change_s_ >= k_rest_s;

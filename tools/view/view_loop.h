@@ -3,8 +3,7 @@
 // The main loop of the window: events, input, panel, loader and renderer, until the window is closed.
 //
 // A frame is drawn only when its content has changed, and the picture in it only when more than the panel has. A CPU
-// device draws at a lower resolution while something moves, and at full resolution when nothing has moved for a
-// moment.
+// device draws fewer pixels and faces while something moves, and all of them when nothing has moved for a moment.
 
 #include <array>
 #include <memory>
@@ -15,6 +14,7 @@
 
 #include "engine/vulkan/vulkan_instance.h"
 #include "tools/command.h"
+#include "tools/view/background_call.h"
 #include "tools/view/edit_history.h"
 #include "tools/view/hough_inspection.h"
 #include "tools/view/hough_panel.h"
@@ -80,8 +80,10 @@ public:
     const Picture& captured() const noexcept { return captured_; }
     /// How many frames had a new picture, not the one before under another panel.
     std::size_t picture_count() const noexcept { return counters_.frames; }
-    /// Whether the picture that is shown was drawn faster: on a CPU device at the lower resolution, and without exact
-    /// lines.
+    /// Of the last of these frames.
+    const FrameReport& report() const noexcept { return counters_.report; }
+    /// Whether the picture that is shown was drawn faster: on a CPU device at the lower resolution and of few faces, and
+    /// without exact lines.
     bool is_coarse() const noexcept { return is_coarse_; }
 
     /// The window's area that the panel and the Hough space beside it leave free.
@@ -100,6 +102,8 @@ private:
     void save_scene(const PanelRequests::Save& save);
     void fit();
     void find_views();
+    void reduce_model();
+    void forget_document();  // Before another one takes its place.
     void play_or_stop();
     void move_along_path();
     void copy_command();
@@ -136,7 +140,8 @@ private:
     WindowRenderer renderer_;
     ModelLoader loader_;
     Loads loads_ = Loads::other;  // What the loader is at, until its result is taken.
-    ViewGallery gallery_;         // Refers to the session's document.
+    ViewGallery gallery_;         // Refers to the session's document, as the next one does.
+    std::optional<BackgroundCall<std::unique_ptr<const ReducedModel>>> reducer_;
     RecentFiles recent_;
     std::array<std::size_t, 3> shown_gallery_{};
     std::string notice_;                     // For the next document, when it is there.

@@ -77,7 +77,7 @@ bool ViewLoop::show_loaded() {
         return false;
     }
     panel_.message.clear();
-    gallery_.clear();
+    forget_document();
     // The next document may have the same address.
     inspected_ = nullptr;
     drawn_sight_.reset();
@@ -106,6 +106,7 @@ bool ViewLoop::show_loaded() {
         input_.is_framed = false;
     else if (result->kind == ModelLoader::Kind::document || was_framed)
         fit();
+    reduce_model();
     find_views();
     recent_.add(session_.document().name());
     for (const std::string& name : std::exchange(added_, {})) recent_.add(name);

@@ -13,6 +13,7 @@
 #include "tests/models.h"
 #include "tests/skip.h"
 #include "tools/bench/mesh_variants.h"
+#include "tools/options/simplified_mesh.h"
 #include "tools/options/view_choice.h"
 
 using namespace rimline;

@@ -6,21 +6,11 @@
 #include <glm/trigonometric.hpp>
 
 #include "silhouette/mesh/shapes/built_in_shape.h"
-#include "silhouette/mesh/winding.h"
 
 using namespace rimline;
 using namespace rimline::tools;
 
 namespace {
-
-TEST_CASE("a simplified mesh has about so many faces and nearly the same volume") {
-    const Mesh mesh(make_built_in_shape("knot", 8000));
-    const Mesh simple(simplified(mesh, 2000));
-    CHECK(simple.face_count() <= 2000);
-    CHECK(simple.face_count() > 1800);
-    CHECK(simple.is_closed());
-    CHECK(enclosed_volume(simple) == doctest::Approx(enclosed_volume(mesh)).epsilon(0.03));
-}
 
 TEST_CASE("noise moves every vertex by the share of the radius and is the same for the same seed") {
     const Mesh mesh(make_built_in_shape("torus", 1000));

@@ -421,6 +421,51 @@ TEST_CASE("while the mouse moves over the panel the picture stays as fine as it 
     CHECK(changed_pixels(wide, shown.capture_at_rest())[1] == 0);
 }
 
+TEST_CASE("while a model of many faces moves on a slow device one of few stands in for it") {
+    RIMLINE_OPEN_DISPLAY(display);
+    Shown shown({.panel = true});
+    shown.resize(900, 500);
+    const auto open = [&](const std::string& name) {
+        shown.loop->open({name});
+        for (int i = 0; i < 2000 && shown.session.document().name() != name; ++i)
+            shown.loop->step(true);
+        REQUIRE(shown.session.document().name() == name);
+    };
+    open("shape:torus:60000");
+    if (!Coarseness(shown.loop->renderer().device_facts().type == VK_PHYSICAL_DEVICE_TYPE_CPU)
+             .is_slow_device()) {
+        CHECK(shown.session.model().reduced() == nullptr);
+        return;
+    }
+    for (int i = 0; i < 2000 && shown.session.model().reduced() == nullptr; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        shown.loop->step(true);
+    }
+    const ReducedModel* const reduced = shown.session.model().reduced();
+    REQUIRE(reduced != nullptr);
+    CHECK(reduced->mesh().face_count() <= ReducedModel::k_faces);
+    const Picture fine = shown.capture_at_rest();
+    orbit(shown.session.camera, {1e-4, 0.0});
+    tests::tap_key(shown.window, GLFW_KEY_LEFT_SHIFT);
+    const Picture coarse = shown.capture();
+    REQUIRE(shown.loop->is_coarse());
+    constexpr std::uint64_t k_most_bytes_a_face = 100;
+    CHECK(shown.loop->report().meshes_uploaded == 1);
+    CHECK(shown.loop->report().bytes_uploaded < ReducedModel::k_faces * k_most_bytes_a_face);
+    // They look alike.
+    std::size_t other = 0;
+    for (std::size_t i = 0; i < fine.rgba.size(); i += 4)
+        other += std::abs(int(fine.rgba[i]) - int(coarse.rgba[i])) > 100;
+    CHECK(other < fine.rgba.size() / 4 / 50);
+    // At rest it has all of its faces again.
+    shown.capture_at_rest();
+    CHECK(shown.loop->report().bytes_uploaded > ReducedModel::k_faces * k_most_bytes_a_face);
+    // What is done for a model ends with it.
+    open("shape:knot:50000");
+    open("shape:box");
+    CHECK(shown.session.model().reduced() == nullptr);
+}
+
 TEST_CASE("a moving picture gets coarser while its frames are slow, and finer again") {
     Coarseness slow(true), fast(false);
     CHECK(fast.quality().scale == 0);
