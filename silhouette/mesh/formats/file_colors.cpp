@@ -14,6 +14,8 @@ glm::vec3 clamped_color(const glm::vec3& color) noexcept {
     return {clamped(color.x), clamped(color.y), clamped(color.z)};
 }
 
+float color_number_scale(float largest) noexcept { return largest >= 2.0f ? 1.0f / 255.0f : 1.0f; }
+
 glm::vec2 finite_uv(const glm::vec2& uv) noexcept {
     return {std::isfinite(uv.x) ? uv.x : 0.0f, std::isfinite(uv.y) ? uv.y : 0.0f};
 }
@@ -39,6 +41,29 @@ void color_corners(MeshSource& source, std::span<const glm::vec3> vertex_colors,
         if (i % k_checkpoint_interval == 0) LongCall{stop, {}}.checkpoint(0.0);
         for (const std::uint32_t corner : source.triangles[i])
             colors.push_back(vertex_colors[corner]);
+    }
+}
+
+void color_vertices_and_triangles(MeshSource& source, std::span<const glm::vec3> vertex_colors,
+                                  std::span<const glm::vec3> triangle_colors,
+                                  const std::stop_token& stop) {
+    RIMLINE_CHECK(triangle_colors.empty() || triangle_colors.size() == source.triangles.size());
+    const bool has_own = std::ranges::any_of(
+        triangle_colors, [](const glm::vec3& color) { return color != k_no_color; });
+    if (vertex_colors.empty() && !has_own) return;
+    whiten_triangles(source);
+    std::vector<glm::vec3>& corners = source.materials.corner_colors;
+    if (!vertex_colors.empty())
+        color_corners(source, vertex_colors, stop);
+    else
+        corners.resize(3 * source.triangles.size(), glm::vec3(1.0f));
+    if (!has_own) return;
+    for (std::size_t t = 0; t < source.triangles.size(); ++t) {
+        if (triangle_colors[t] != k_no_color) {
+            for (std::size_t c = 0; c < 3; ++c) corners[3 * t + c] *= triangle_colors[t];
+        } else if (vertex_colors.empty()) {
+            source.materials.of_face[t] = k_no_material;
+        }
     }
 }
 

@@ -17,6 +17,20 @@ namespace rimline {
 /// Channels in [0, 1]. Larger ones become 1; negative ones and NaN become 0.
 glm::vec3 clamped_color(const glm::vec3& color) noexcept;
 
+/// The factor to [0, 1] of the numbers of colors whose range the file does not say. They are in [0, 255] if `largest`,
+/// the greatest of them, is 2 or more, otherwise in [0, 1]. Rounded numbers just above 1 do not decide.
+float color_number_scale(float largest) noexcept;
+
+/// The product of the colors of vertices and of triangles, in linear light, as colors of corners. Every triangle that
+/// has a color gets a white material. A triangle has one if vertices have colors or if its own is not
+/// k_no_color. Each list is empty or has a color for each position or triangle. Throws Error{cancelled}.
+void color_vertices_and_triangles(MeshSource& source, std::span<const glm::vec3> vertex_colors,
+                                  std::span<const glm::vec3> triangle_colors,
+                                  const std::stop_token& stop = {});
+
+/// A triangle's color if it has none.
+constexpr glm::vec3 k_no_color{-1.0f};
+
 /// 0 where a coordinate is not finite.
 glm::vec2 finite_uv(const glm::vec2& uv) noexcept;
 

@@ -1,14 +1,15 @@
 // STL: separate triangles. The corners of facet f are vertices 3f, 3f + 1 and 3f + 2.
 //
 // Binary: 80 arbitrary bytes, a facet count, then 50 bytes per facet: normal, three corners, two more
-// bytes. Text: `solid`, facets in words, `endsolid`, any number of times. The normals are not used,
-// because the order of the corners defines them. Degenerate facets often have NaN normals.
+// bytes, which may hold its color (stl_colors.h). Text: `solid`, facets in words, `endsolid`, any number of times. The
+// normals are not used, because the order of the corners defines them. Degenerate facets often have NaN normals.
 
-#include <cctype>
 #include <limits>
 
 #include "silhouette/mesh/formats/byte_scanner.h"
+#include "silhouette/mesh/formats/file_colors.h"
 #include "silhouette/mesh/formats/readers.h"
+#include "silhouette/mesh/formats/stl_colors.h"
 #include "silhouette/mesh/formats/text_scanner.h"
 
 namespace rimline {
@@ -17,13 +18,6 @@ namespace {
 
 constexpr std::size_t k_header_bytes = 80;
 constexpr std::size_t k_facet_bytes = 50;
-
-bool equals_ignoring_case(std::string_view token, std::string_view lower) noexcept {
-    if (token.size() != lower.size()) return false;
-    for (std::size_t i = 0; i < token.size(); ++i)
-        if (std::tolower(static_cast<unsigned char>(token[i])) != lower[i]) return false;
-    return true;
-}
 
 void expect_word(TextScanner& scanner, std::string_view word) {
     const std::string_view found = scanner.word();
@@ -107,6 +101,8 @@ MeshSource read_stl_binary(const SourceFile& file, BadPoints bad, const LongCall
         throw Error(ErrorCode::too_large, file.name + ": more than 2^32 vertices");
     source.positions.reserve(3 * count);
     source.triangles.reserve(count);
+    std::vector<std::uint16_t> attributes;
+    attributes.reserve(count);
     for (std::uint64_t facet = 0; facet < count; ++facet) {
         if (facet % k_checkpoint_interval == 0) parse_checkpoint(call, scanner.share());
         scanner.skip(1, 12, "a facet's normal");
@@ -117,9 +113,14 @@ MeshSource read_stl_binary(const SourceFile& file, BadPoints bad, const LongCall
                     scanner.coordinate(ScalarType::float32, "a vertex's coordinate", bad);
             source.positions.push_back(position);
         }
-        scanner.skip(1, 2, "a facet's attributes");
+        attributes.push_back(static_cast<std::uint16_t>(
+            scanner.integer(ScalarType::uint16, "a facet's attributes")));
         add_facet(source);
     }
+    const StlColors colors =
+        stl_colors(std::string_view(file.bytes).substr(0, k_header_bytes), attributes);
+    if (!colors.warning.empty()) add_warning(source.warnings, file.name + ": " + colors.warning);
+    color_vertices_and_triangles(source, {}, colors.colors, call.stop);
     return source;
 }
 

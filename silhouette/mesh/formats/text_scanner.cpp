@@ -69,6 +69,12 @@ bool is_old_microsoft_nan(std::string_view token) noexcept {
 
 }  // namespace
 
+bool equals_ignoring_case(std::string_view token, std::string_view lower) noexcept {
+    return std::ranges::equal(token, lower, [](char c, char l) {
+        return (c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c) == l;
+    });
+}
+
 std::optional<float> parse_float(std::string_view token) noexcept {
     return parse_real<float>(token);
 }

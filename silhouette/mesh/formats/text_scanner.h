@@ -67,6 +67,7 @@ public:
     double number(std::string_view token, const char* what) const;
     void skip_number(std::string_view token, const char* what) const;
 
+    std::string_view name() const noexcept { return name_; }
     std::uint64_t line() const noexcept { return line_; }
     /// Offset of the next byte to read. After next_line(), the offset of the line's first token.
     std::size_t offset() const noexcept { return at_; }
@@ -90,6 +91,9 @@ private:
     std::uint64_t line_;
     State state_ = State::between_lines;
 };
+
+/// Whether `token` is `lower`, a word in lower case, up to the case of ASCII letters.
+bool equals_ignoring_case(std::string_view token, std::string_view lower) noexcept;
 
 /// The number that the whole `token` spells, correctly rounded. Empty if it is not a number. Numbers
 /// too small for a float give zero, too large ones infinity. "nan" and "inf" are accepted.
