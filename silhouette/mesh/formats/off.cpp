@@ -2,13 +2,18 @@
 // Geomview, numbers may be on any lines. Only a face must end its line.
 //
 // A vertex is x y z, then a normal (3 numbers) with N, a color (3 or 4) with C, and a texture
-// coordinate (2) with ST, in this order. A face is its corner count, its corners and up to four
-// color numbers. Variants with four or n coordinates, and the binary form, are rejected with an
-// error that names them.
+// coordinate (2) with ST, in this order. NCOFF, which MeshLab writes, has the color before the normal. A face is its
+// corner count, its corners and its color: nothing, three or four numbers, or one, an index of a colormap, which is
+// not read. Variants with four or n coordinates, and the binary form, are rejected with an error that names them.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
+#include <utility>
 
+#include "silhouette/mesh/formats/file_colors.h"
+#include "silhouette/mesh/formats/off_colors.h"
 #include "silhouette/mesh/formats/readers.h"
 #include "silhouette/mesh/formats/text_scanner.h"
 #include "silhouette/mesh/formats/triangulate.h"
@@ -19,6 +24,7 @@ namespace {
 
 struct OffKind {
     bool texture = false, color = false, normal = false;
+    bool is_color_first = false;  // Before the normal.
 };
 
 OffKind read_kind(TextScanner& scanner, std::string_view keyword) {
@@ -30,8 +36,10 @@ OffKind read_kind(TextScanner& scanner, std::string_view keyword) {
         return true;
     };
     kind.texture = take("ST");
-    kind.color = take("C");
-    kind.normal = take("N");
+    kind.is_color_first = take("NC");
+    kind.color = kind.is_color_first || take("C");
+    kind.normal = kind.is_color_first || take("N");
+    kind.texture = take("ST") || kind.texture;  // MeshLab writes it last.
     if (rest.starts_with("4") || rest.starts_with("n"))
         scanner.fail(excerpt(keyword) +
                      " has other than three coordinates a vertex, which is not "
@@ -66,16 +74,20 @@ public:
             if (axis > 0) token = word_or_fail(scanner_, what);
             position[axis] = scanner_.coordinate(token, "a vertex's coordinate", bad_);
         }
-        const int more = fixed - 3 + (kind_.color ? colors_ : 0);
-        for (int i = 0; i < more; ++i)
-            scanner_.skip_number(word_or_fail(scanner_, what),
-                                 "a vertex's normal, color or texture");
+        const auto skip = [&](int count, const char* skipped) {
+            for (int i = 0; i < count; ++i)
+                scanner_.skip_number(word_or_fail(scanner_, what), skipped);
+        };
+        if (kind_.is_color_first) read_vertex_color();
+        if (kind_.normal) skip(3, "a vertex's normal");
+        if (kind_.color && !kind_.is_color_first) read_vertex_color();
+        if (kind_.texture) skip(2, "a vertex's texture coordinate");
         last_line_ = scanner_.line();
         return position;
     }
 
-    // A face must end its line, because up to four color numbers may follow its corners.
-    void read_face(std::uint64_t vertex_count, std::vector<std::uint32_t>& polygon) {
+    // A face must end its line, because up to four color numbers may follow its corners. Returns its color.
+    OffColor read_face(std::uint64_t vertex_count, std::vector<std::uint32_t>& polygon) {
         const std::int64_t corners =
             scanner_.integer(word_or_fail(scanner_, "another face"), "a face's corner count");
         if (corners < 3)
@@ -89,15 +101,50 @@ public:
                      std::to_string(vertex_count) + " vertices, numbered from 0");
             polygon.push_back(static_cast<std::uint32_t>(v));
         }
-        for (int i = 0; i < 4; ++i) {
-            const std::string_view color = scanner_.token();
-            if (color.empty()) return;
-            scanner_.skip_number(color, "a face's color");
-        }
-        scanner_.expect_end_of_line("a face");
+        return read_face_color();
     }
 
+    // In linear light, one for each vertex. Empty if they have none.
+    std::vector<glm::vec3> vertex_colors() const { return linear(vertex_colors_, of_vertices_); }
+    // The same for colors that read_face() returned.
+    std::vector<glm::vec3> face_colors(std::span<const OffColor> colors) const {
+        return linear(colors, of_faces_);
+    }
+    const std::string& warning() const { return warning_; }
+
 private:
+    static std::vector<glm::vec3> linear(std::span<const OffColor> colors, const OffColors& list) {
+        std::vector<glm::vec3> linear;
+        linear.reserve(colors.size());
+        for (const OffColor& color : colors) linear.push_back(list.linear(color));
+        return linear;
+    }
+
+    void read_vertex_color() {
+        const char* const what = "a vertex's color";
+        std::array<std::string_view, 4> tokens;
+        for (std::size_t i = 0; i < colors_; ++i) tokens[i] = word_or_fail(scanner_, what);
+        vertex_colors_.push_back(
+            of_vertices_.read(scanner_, std::span(tokens).first(colors_), what));
+    }
+
+    OffColor read_face_color() {
+        const char* const what = "a face's color";
+        std::array<std::string_view, 4> tokens;
+        std::size_t count = 0;
+        while (count < 4 && !(tokens[count] = scanner_.token()).empty()) ++count;
+        scanner_.expect_end_of_line("a face");
+        if (count >= 3) return of_faces_.read(scanner_, std::span(tokens).first(count), what);
+        for (std::size_t i = 0; i < count; ++i) scanner_.skip_number(tokens[i], what);
+        if (count == 2) fail("a face's color has 2 numbers; it needs 3 or 4");
+        if (count == 1 && warning_.empty())
+            warning_ = std::string(scanner_.name()) + ":" + std::to_string(scanner_.line()) + ": " +
+                       excerpt(tokens[0]) +
+                       " after a face is an index of a colormap, which is not read; faces with "
+                       "one have no color of their own";
+        return {};
+    }
+
     int tokens_left() const {
         TextScanner ahead = scanner_;
         int count = 0;
@@ -117,7 +164,10 @@ private:
     TextScanner& scanner_;
     OffKind kind_;
     BadPoints bad_;
-    int colors_ = 4;
+    std::size_t colors_ = 4;  // Numbers of a vertex's color.
+    OffColors of_vertices_, of_faces_;
+    std::vector<OffColor> vertex_colors_;
+    std::string warning_;
     std::uint64_t last_line_ = 0;     // The line where the last vertex ended.
     std::uint64_t crowded_line_ = 0;  // The first line where one vertex ends and another begins.
 };
@@ -172,14 +222,24 @@ MeshSource read_off(const SourceFile& file, BadPoints bad, const LongCall& call)
     });
     source.triangles.reserve(face_count);
     std::vector<std::uint32_t> polygon;
+    std::vector<OffColor>
+        triangle_colors;  // Of the first triangles, up to the last one that has a color.
     Triangulator triangulator(call.stop);
     for (std::uint64_t i = 0; i < face_count; ++i) {
         if (i % k_checkpoint_interval == 0) parse_checkpoint(call, scanner.share());
-        reader.read_face(vertex_count, polygon);
+        const OffColor color = reader.read_face(vertex_count, polygon);
+        const std::size_t first = source.triangles.size();
         if (all_finite) triangulator.triangulate(source.positions, polygon, source.triangles);
+        if (color.kind == OffColor::Kind::none) continue;
+        triangle_colors.resize(first);
+        triangle_colors.resize(source.triangles.size(), color);
     }
     if (!scanner.word().empty())
         scanner.fail("there is more after the last face; a count at the beginning is too small");
+    if (!reader.warning().empty()) add_warning(source.warnings, reader.warning());
+    if (!triangle_colors.empty()) triangle_colors.resize(source.triangles.size());
+    color_vertices_and_triangles(source, reader.vertex_colors(),
+                                 reader.face_colors(triangle_colors), call.stop);
     return source;
 }
 

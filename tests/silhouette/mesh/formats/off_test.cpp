@@ -14,7 +14,7 @@ TEST_CASE("OFF: the plain kind is read, with or without its word and its edge co
     }
 }
 
-TEST_CASE("OFF: normals, colors and texture coordinates are stepped over") {
+TEST_CASE("OFF: positions and corners are found beside normals, colors and texture coordinates") {
     struct Kind {
         const char* word;
         const char* extra;
