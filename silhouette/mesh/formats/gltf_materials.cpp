@@ -91,8 +91,8 @@ glm::mat3x2 texture_transform(const GltfPlace& place) {
     return {scale.x * glm::vec2(c, -s), scale.y * glm::vec2(s, c), pair("offset", glm::vec2(0.0f))};
 }
 
-std::optional<glm::vec3> base_color(const GltfPlace& pbr) {
-    const auto factor = pbr.find("baseColorFactor");
+std::optional<glm::vec3> base_color(const GltfPlace& pbr, const char* key) {
+    const auto factor = pbr.find(key);
     if (!factor) return std::nullopt;
     const auto numbers = factor->numbers<4>();
     return clamped_color(glm::vec3(numbers[0], numbers[1], numbers[2]));
@@ -106,12 +106,38 @@ public:
           samplers_(root, "samplers"),
           images_(root, "images") {}
 
+    // The model of metal and roughness counts, unless it says less than that of KHR_materials_pbrSpecularGlossiness:
+    // a material can have both, and of metals only the first one has the color that is seen.
     GltfMaterial material(const GltfPlace& place) {
+        const auto pbr = object_in(place, "pbrMetallicRoughness");
+        const auto extensions = object_in(place, "extensions");
+        const auto glossy = extensions
+                                ? object_in(*extensions, "KHR_materials_pbrSpecularGlossiness")
+                                : std::nullopt;
+        const bool is_glossy = glossy && richness(pbr, "baseColorFactor", "baseColorTexture") <
+                                             richness(glossy, "diffuseFactor", "diffuseTexture");
+        if (is_glossy) return material_of(*glossy, "diffuseFactor", "diffuseTexture");
+        return pbr ? material_of(*pbr, "baseColorFactor", "baseColorTexture") : GltfMaterial();
+    }
+
+private:
+    static std::optional<GltfPlace> object_in(const GltfPlace& place, const char* key) {
+        const auto found = place.find(key);
+        if (!found) return std::nullopt;
+        return found->object();
+    }
+
+    // 2 with a texture, 1 with a color alone, 0 with neither.
+    static int richness(const std::optional<GltfPlace>& model, const char* factor,
+                        const char* texture) {
+        if (!model) return 0;
+        return model->find(texture) ? 2 : model->find(factor) ? 1 : 0;
+    }
+
+    GltfMaterial material_of(const GltfPlace& model, const char* factor, const char* texture) {
         GltfMaterial made;
-        const auto pbr = place.find("pbrMetallicRoughness");
-        if (!pbr) return made;
-        made.base_color = base_color(pbr->object());
-        const auto use = pbr->find("baseColorTexture");
+        made.base_color = base_color(model, factor);
+        const auto use = model.find(texture);
         if (!use) return made;
         try {
             scene_.textures.push_back(used_texture(use->object()));
@@ -122,7 +148,6 @@ public:
         return made;
     }
 
-private:
     GltfTexture used_texture(const GltfPlace& use) {
         GltfTexture made = textures_.get(
             use, "index", [&](const GltfPlace& place, std::uint32_t) { return texture(place); });

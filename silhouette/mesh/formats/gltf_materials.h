@@ -1,6 +1,7 @@
 #pragma once
 
-// The materials of a glTF document: their base colors and how they use textures.
+// The materials of a glTF document: their base colors and how they use textures. A material may have the diffuse color
+// of KHR_materials_pbrSpecularGlossiness instead, an archived extension that many files still use.
 
 #include "silhouette/mesh/formats/gltf_place.h"
 #include "silhouette/mesh/formats/gltf_scene.h"

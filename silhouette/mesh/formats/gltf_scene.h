@@ -61,7 +61,7 @@ struct GltfImage {
     GltfView view{};       ///< Of these bytes.
 };
 
-/// baseColorTexture of a material.
+/// baseColorTexture or diffuseTexture of a material.
 struct GltfTexture {
     std::uint32_t image;  ///< In GltfScene::images.
     TextureWrap wrap_u = TextureWrap::repeat;
@@ -74,7 +74,8 @@ struct GltfTexture {
 };
 
 struct GltfMaterial {
-    std::optional<glm::vec3> base_color;   ///< In linear light, if there is a baseColorFactor.
+    /// In linear light, if there is a baseColorFactor or diffuseFactor.
+    std::optional<glm::vec3> base_color;
     std::optional<std::uint32_t> texture;  ///< In GltfScene::textures.
 };
 

@@ -12,10 +12,13 @@
 //
 // Faces get the colors that the file gives them (face_materials.h):
 //   OBJ         Kd and map_Kd of the material libraries (mtllib) in the file's folder, and colors of vertices
-//   PLY         red, green and blue of vertices and of faces
-//   glTF, GLB   baseColorFactor and baseColorTexture of materials, and COLOR_0 of vertices
-// Colors of vertices become those of the corners of faces. Numbers of OBJ and PLY are taken as sRGB; those of
-// glTF are linear light. If several kinds of color are given, they are multiplied. A material library that is
+//   PLY         red, green and blue of vertices and of faces, or diffuse_red and so on, or r, g and b
+//   OFF         colors of vertices (COFF) and of faces; not indices of colormaps (off_colors.h)
+//   STL         the attributes of binary files, if all of them follow a convention of colors (stl_colors.h)
+//   glTF, GLB   baseColorFactor and baseColorTexture of materials, or diffuseFactor and diffuseTexture of
+//               KHR_materials_pbrSpecularGlossiness, and COLOR_0 of vertices
+// Colors of vertices become those of the corners of faces. Numbers of glTF are linear light; those of the other
+// formats are taken as sRGB. If several kinds of color are given, they are multiplied. A material library that is
 // missing or faulty is a warning, not an error, as is a texture. Normals and lines are ignored, as are skins
 // and morph targets of glTF.
 

@@ -88,7 +88,7 @@ private:
             if (i % k_checkpoint_interval == 0 && call_.stop.stop_requested())
                 throw Error(ErrorCode::cancelled, "cancelled");
             const std::string_view keyword = scanner.token();
-            if (keyword == "newmtl") {
+            if (equals_ignoring_case(keyword, "newmtl")) {
                 const auto [entry, is_new] =
                     libraries_.materials.try_emplace(std::string(scanner.free_text()));
                 material = is_new ? &entry->second : nullptr;
@@ -96,8 +96,8 @@ private:
             }
             if (!material) continue;
             try {
-                if (keyword == "Kd") material->color = read_color(scanner);
-                if (keyword == "map_Kd") {
+                if (equals_ignoring_case(keyword, "kd")) material->color = read_color(scanner);
+                if (equals_ignoring_case(keyword, "map_kd")) {
                     material->map = read_map(library, scanner);
                     libraries_.files.push_back(material->map->texture.path);
                 }
@@ -126,6 +126,9 @@ private:
     // is the name of the file.
     static bool read_option(const TextScanner& scanner, std::string_view& rest, ColorMap& map) {
         const std::string_view option = take_word(rest);
+        const auto is_option = [&](std::string_view name) {
+            return equals_ignoring_case(option, name);
+        };
         // u, then v and w, which may be missing.
         const auto read_numbers = [&](glm::vec2* pair) {
             for (int i = 0; i < 3; ++i) {
@@ -141,13 +144,14 @@ private:
             }
             return true;
         };
-        if (option == "-s") return read_numbers(&map.scale);
-        if (option == "-o") return read_numbers(&map.offset);
-        if (option == "-t" || option == "-mm") return read_numbers(nullptr);
-        constexpr std::array<std::string_view, 8> k_of_one_word{
-            "-blendu", "-blendv", "-cc", "-clamp", "-texres", "-bm", "-boost", "-imfchan"};
-        if (std::ranges::find(k_of_one_word, option) == k_of_one_word.end()) return false;
-        if (take_word(rest) == "on" && option == "-clamp")
+        if (is_option("-s")) return read_numbers(&map.scale);
+        if (is_option("-o")) return read_numbers(&map.offset);
+        if (is_option("-t") || is_option("-mm")) return read_numbers(nullptr);
+        constexpr std::array<std::string_view, 10> k_of_one_word{
+            "-blendu", "-blendv", "-cc",      "-clamp", "-texres",
+            "-bm",     "-boost",  "-imfchan", "-type",  "-colorspace"};
+        if (std::ranges::none_of(k_of_one_word, is_option)) return false;
+        if (equals_ignoring_case(take_word(rest), "on") && is_option("-clamp"))
             map.texture.wrap_u = map.texture.wrap_v = TextureWrap::clamp;
         return true;
     }

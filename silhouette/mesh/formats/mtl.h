@@ -4,7 +4,8 @@
 //
 // A library only adds colors, so none of its faults is an error. Libraries and textures must be in the folder of
 // the OBJ or below it. Of a library, `newmtl`, `Kd r g b` and `map_Kd file` are read, of the options of map_Kd
-// -s, -o and -clamp. The numbers of Kd are taken as sRGB, as most programs show them.
+// -s, -o and -clamp. Keywords and options may have letters of any case, as exporters write `map_kd` too; names of
+// materials and files may not. The numbers of Kd are taken as sRGB, as most programs show them.
 
 #include <cstdint>
 #include <filesystem>

@@ -1,7 +1,8 @@
 // PLY: an element is a record of typed properties, and a file is a list of elements in any order.
-// Only `vertex` (x, y, z and red, green, blue), `face` (vertex_indices or vertex_index, and red, green, blue) and
-// `tristrips` (vertex_indices, strips separated by -1) are used. Everything else is skipped by its declared type.
-// Colors are sRGB.
+// Only `vertex` (x, y, z and a color), `face` (vertex_indices or vertex_index, and a color) and `tristrips`
+// (vertex_indices, strips separated by -1) are used. Everything else is skipped by its declared type. The names of
+// colors are those of PlyElement::find_color(). They are sRGB: integers in [0, 255], or in [0, 65535] where they are
+// unsigned with 16 bits, and floating-point numbers in [0, 1].
 
 #include <algorithm>
 #include <array>
@@ -9,6 +10,7 @@
 #include <utility>
 
 #include "silhouette/mesh/formats/file_colors.h"
+#include "silhouette/mesh/formats/float_of.h"
 #include "silhouette/mesh/formats/ply_body.h"
 #include "silhouette/mesh/formats/readers.h"
 #include "silhouette/mesh/formats/triangulate.h"
@@ -44,7 +46,8 @@ public:
                         early_colors_.empty() ? k_white : early_colors_[polygon]);
             ++polygon;
         }
-        add_colors();
+        if (has_face_colors_) triangle_colors_.resize(source_.triangles.size(), k_white);
+        color_vertices_and_triangles(source_, vertex_colors_, triangle_colors_);
         return std::move(source_);
     }
 
@@ -56,29 +59,11 @@ private:
         if (has_face_colors_) triangle_colors_.resize(source_.triangles.size(), color);
     }
 
-    // The product of the colors of vertices and of faces.
-    void add_colors() {
-        if (vertex_colors_.empty() && !has_face_colors_) return;
-        whiten_triangles(source_);
-        std::vector<glm::vec3>& corners = source_.materials.corner_colors;
-        if (!vertex_colors_.empty())
-            color_corners(source_, vertex_colors_);
-        else
-            corners.resize(3 * source_.triangles.size(), k_white);
-        triangle_colors_.resize(source_.triangles.size(), k_white);
-        if (has_face_colors_)
-            for (std::size_t i = 0; i < corners.size(); ++i) corners[i] *= triangle_colors_[i / 3];
-    }
-
     // The channel of each property, or -1. Colors are used only if all three channels exist.
     static std::vector<int> channels_of(const PlyElement& element) {
-        constexpr std::array<const char*, 3> k_names{"red", "green", "blue"};
         std::vector<int> channels(element.properties.size(), -1);
-        int count = 0;
-        for (const char* name : k_names)
-            if (const auto p = element.find(name); p && !element.properties[*p].is_list())
-                channels[*p] = count++;
-        if (count < 3) std::ranges::fill(channels, -1);
+        if (const auto color = element.find_color())
+            for (int c = 0; c < 3; ++c) channels[(*color)[static_cast<std::size_t>(c)]] = c;
         return channels;
     }
 
@@ -114,7 +99,7 @@ private:
 
     // sRGB, in [0, 1] in a sound file.
     float channel(ScalarType type) {
-        return color_scale(type) * static_cast<float>(body_.number(type, "a color")) / 255.0f;
+        return color_scale(type) * float_of(body_.number(type, "a color")) / 255.0f;
     }
 
     // Calls `read_list(count, type)` for the index list of each element, then `end(color)`, with white where

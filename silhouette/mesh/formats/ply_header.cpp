@@ -134,6 +134,22 @@ std::optional<std::size_t> PlyElement::find(std::string_view property) const noe
     return std::nullopt;
 }
 
+std::optional<std::array<std::size_t, 3>> PlyElement::find_color() const noexcept {
+    using Triple = std::array<const char*, 3>;
+    constexpr std::array<Triple, 3> k_triples{
+        Triple{"red", "green", "blue"}, Triple{"diffuse_red", "diffuse_green", "diffuse_blue"},
+        Triple{"r", "g", "b"}};
+    for (const Triple& triple : k_triples) {
+        std::array<std::size_t, 3> found{};
+        std::size_t channels = 0;
+        for (const char* channel : triple)
+            if (const auto p = find(channel); p && !properties[*p].is_list())
+                found[channels++] = *p;
+        if (channels == 3) return found;
+    }
+    return std::nullopt;
+}
+
 std::size_t PlyElement::require_value(const SourceFile& file, std::string_view property) const {
     const std::optional<std::size_t> i = find(property);
     if (!i || properties[*i].is_list())

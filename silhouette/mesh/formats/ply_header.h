@@ -2,6 +2,7 @@
 
 // The content of a PLY file's header: elements in order, each with its count and properties.
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <optional>
@@ -31,6 +32,9 @@ struct PlyElement {
     std::size_t min_binary_size() const noexcept;
     /// The property of that name, or nothing.
     std::optional<std::size_t> find(std::string_view property) const noexcept;
+    /// The properties of red, green and blue, or nothing if no triple is complete: red, green, blue, otherwise
+    /// diffuse_red, diffuse_green, diffuse_blue, otherwise r, g, b.
+    std::optional<std::array<std::size_t, 3>> find_color() const noexcept;
     /// The property of that name. Throws Error{bad_input} if there is none or it is a list.
     std::size_t require_value(const SourceFile& file, std::string_view property) const;
 };

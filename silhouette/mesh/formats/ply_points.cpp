@@ -1,4 +1,5 @@
-// The points of a PLY. Reads x, y, z in double, nx, ny, nz, red, green, blue and intensity of the element `vertex`.
+// The points of a PLY. Reads x, y, z in double, nx, ny, nz, a color (PlyElement::find_color()) and intensity of the
+// element `vertex`.
 
 #include <array>
 
@@ -46,15 +47,17 @@ private:
         std::vector<int> slots(element.properties.size(), -1);
         for (std::size_t i = 0; i < k_first_normal; ++i)
             slots[element.require_value(file_, k_names[i])] = static_cast<int>(i);
-        for (const std::size_t first : {k_first_normal, k_first_color}) {
-            std::array<std::size_t, 3> found{};
-            std::size_t count = 0;
-            for (std::size_t i = first; i < first + 3; ++i)
-                if (const auto p = element.find(k_names[i]); p && !element.properties[*p].is_list())
-                    found[count++] = *p;
-            if (count == 3)
-                for (std::size_t i = 0; i < 3; ++i) slots[found[i]] = static_cast<int>(first + i);
-        }
+        std::array<std::size_t, 3> normal{};
+        std::size_t count = 0;
+        for (std::size_t i = k_first_normal; i < k_first_color; ++i)
+            if (const auto p = element.find(k_names[i]); p && !element.properties[*p].is_list())
+                normal[count++] = *p;
+        if (count == 3)
+            for (std::size_t i = 0; i < 3; ++i)
+                slots[normal[i]] = static_cast<int>(k_first_normal + i);
+        if (const auto color = element.find_color())
+            for (std::size_t i = 0; i < 3; ++i)
+                slots[(*color)[i]] = static_cast<int>(k_first_color + i);
         if (const auto p = element.find(k_names[k_intensity]);
             p && !element.properties[*p].is_list())
             slots[*p] = static_cast<int>(k_intensity);

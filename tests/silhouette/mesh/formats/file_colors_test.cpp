@@ -7,6 +7,7 @@
 #include "silhouette/mesh/mesh.h"
 #include "silhouette/mesh/shapes/loop_subdivision.h"
 #include "silhouette/srgb.h"
+#include "tests/silhouette/mesh/formats/read_colors.h"
 #include "tests/silhouette/mesh/formats/sample_files.h"
 
 using namespace rimline;
@@ -26,18 +27,6 @@ MeshSource read_with_library(const std::string& obj, const std::string& library 
     folder.write("colors.mtl", library);
     return read_mesh_file(folder.write("a.obj", obj));
 }
-
-/// The colors at the corners of a face; nothing where it has no material.
-std::vector<glm::vec3> colors_of(const FaceMaterials& materials, std::size_t face) {
-    if (materials.empty() || materials.of_face[face] == k_no_material) return {};
-    const glm::vec3 base = materials.materials[index(materials.of_face[face])].base_color;
-    std::vector<glm::vec3> colors(3, base);
-    if (!materials.corner_colors.empty())
-        for (std::size_t c = 0; c < 3; ++c) colors[c] *= materials.corner_colors[3 * face + c];
-    return colors;
-}
-
-std::vector<glm::vec3> plain(const glm::vec3& color) { return std::vector<glm::vec3>(3, color); }
 
 const glm::vec3 k_red(1, 0, 0);
 const glm::vec3 k_gray = linear_from_srgb(glm::vec3(0.5f));
@@ -103,6 +92,20 @@ TEST_CASE("OBJ: faces have the Kd of their materials, and all triangles of a pol
     CHECK(colors_of(source.materials, 3) == plain(k_half_green));
     CHECK(colors_of(source.materials, 4) == plain(k_gray));
     CHECK(colors_of(source.materials, 5).empty());
+}
+
+TEST_CASE("OBJ: keywords and options of libraries may have letters of any case but names may not") {
+    const std::string obj =
+        k_flat_square + "mtllib colors.mtl\nusemtl Red\nf 1 2 3\nusemtl red\nf 1 2 3\n";
+    const MeshSource source = read_with_library(
+        obj, "NewMtl Red\nKD 1 0 0\nnewmtl red\nkd 0 0.5 0\nMAP_KD -S 2 3 -CLAMP ON 1 a.png\n");
+    CHECK(source.warnings.empty());
+    CHECK(colors_of(source.materials, 0) == plain(k_red));
+    CHECK(colors_of(source.materials, 1) == plain(k_half_green));
+    REQUIRE(source.materials.textures.size() == 1);
+    CHECK(source.materials.textures[0].path.filename() == "1 a.png");
+    CHECK(source.materials.textures[0].wrap_u == TextureWrap::clamp);
+    CHECK(has(read_with_library(obj, "NEWMTL red\nKD x\n").warnings[0], "colors.mtl:2: 'x'"));
 }
 
 TEST_CASE("OBJ: a warning shows control characters of a library's name as numbers") {
@@ -258,6 +261,72 @@ TEST_CASE("PLY: vertices have colors of any type, before or after the faces") {
             if (source.triangles[f][c] < 3) own[static_cast<int>(source.triangles[f][c])] = 1.0f;
             CHECK(colors_of(source.materials, f)[c] == own);
         }
+}
+
+TEST_CASE("PLY: colors may have the names diffuse_red or r and the first complete triple counts") {
+    const auto read = [](const std::vector<std::string>& names, const std::string& type,
+                         const std::string& numbers) {
+        std::string properties;
+        for (const std::string& name : names) properties += "property " + type + " " + name + "\n";
+        return read_text(
+            "a.ply",
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+            "property float z\n" +
+                properties +
+                "element face 1\n"
+                "property list uchar int vertex_indices\n" +
+                properties + "end_header\n0 0 0 " + numbers + "\n1 0 0 " + numbers + "\n0 1 0 " +
+                numbers + "\n3 0 1 2 " + numbers + "\n");
+    };
+    // Those of vertices times those of the face.
+    const glm::vec3 color = linear_from_srgb({1, 51.0f / 255.0f, 0});
+    const std::vector<std::string> diffuse{"diffuse_red", "diffuse_green", "diffuse_blue"};
+    const std::vector<std::string> letters{"r", "g", "b"};
+    for (const auto& names : {diffuse, letters}) {
+        CHECK(colors_of(read(names, "uchar", "255 51 0").materials, 0) == plain(color * color));
+        const glm::vec3 read_floats =
+            colors_of(read(names, "float", "1 0.2 nan").materials, 0).at(2);
+        for (int i = 0; i < 3; ++i) CHECK(read_floats[i] == doctest::Approx((color * color)[i]));
+    }
+    std::vector<std::string> both{"red", "green", "alpha"};
+    both.insert(both.end(), diffuse.begin(), diffuse.end());
+    CHECK(colors_of(read(both, "uchar", "9 9 9 255 51 0").materials, 0) == plain(color * color));
+    both[2] = "blue";
+    CHECK(colors_of(read(both, "uchar", "255 51 0 9 9 9").materials, 0) == plain(color * color));
+    CHECK(read({"diffuse_red", "green", "b"}, "uchar", "255 51 0").materials.empty());
+}
+
+TEST_CASE("glTF: a material of specular color and glossiness has its diffuse color") {
+    const auto model = [](const std::string& glossy, const std::string& other = "") {
+        return "[{" + other + R"("extensions": {"KHR_materials_pbrSpecularGlossiness": )" + glossy +
+               "}}]";
+    };
+    const std::string use = R"(}, "material": 0})";
+    const std::string metal = R"("pbrMetallicRoughness": {"baseColorFactor": [0.25, 0, 0, 1]}, )";
+    const std::string green = R"({"diffuseFactor": [0, 0.5, 2, 1], "glossinessFactor": 0.5})";
+    const std::string textured =
+        R"({"diffuseFactor": [0, 0.5, 1, 1], "diffuseTexture": {"index": 0}})";
+    const auto colors = [&](const std::string& materials) {
+        return colors_of(read_text("a.gltf", strips({use}, materials)).materials, 0);
+    };
+    CHECK(colors(model(green)) == plain({0, 0.5f, 1}));
+    CHECK(colors(model("{}")).empty());
+    CHECK(colors(model(green, R"("pbrMetallicRoughness": {"metallicFactor": 0}, )")) ==
+          plain({0, 0.5f, 1}));
+    // The color of metals is not diffuse: where both models have one, that of metal and roughness counts.
+    CHECK(colors(model(green, metal)) == plain({0.25f, 0, 0}));
+    CHECK(colors(model(textured, metal)) == plain({0, 0.5f, 1}));
+    const auto error = [&](const std::string& materials) {
+        return error_of("a.gltf", strips({use}, materials));
+    };
+    const std::string place = "materials[0].extensions.KHR_materials_pbrSpecularGlossiness";
+    CHECK(has(error(model("1")), place + ": should be an object"));
+    CHECK(has(error(model(R"({"diffuseFactor": [1, 1, 1]})")),
+              place + ".diffuseFactor: should have 4 numbers"));
+    // The document has no textures.
+    const MeshSource source = read_text("a.gltf", strips({use}, model(textured)));
+    REQUIRE(source.warnings.size() == 1);
+    CHECK(has(source.warnings[0], place + ".diffuseTexture"));
 }
 
 TEST_CASE("glTF: triangles have the base color of their material, as it is written") {
