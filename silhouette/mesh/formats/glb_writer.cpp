@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "silhouette/mesh/formats/glb_corners.h"
 #include "silhouette/mesh/formats/gltf_scene.h"
 
 namespace rimline {
@@ -46,13 +47,17 @@ GlbJson turned_to_y(const glm::dvec3& up) {
 class GlbWriter {
 public:
     GlbWriter(const Mesh& mesh, const GlbOptions& options)
-        : mesh_(mesh), options_(options), is_written_(mesh.edge_count(), 0) {}
+        : mesh_(mesh),
+          options_(options),
+          corners_(glb_corners(mesh)),
+          is_written_(mesh.edge_count(), 0) {}
 
     std::string bytes() {
-        check_size(mesh_.positions().size_bytes() +
+        check_size(sizeof(glm::vec3) * (vertex_count() + corners_.colors.size()) +
                    std::uint64_t{3} * mesh_.face_count() * (has_short_indices() ? 2 : 4));
         document_["asset"] = {{"version", "2.0"}, {"generator", "rimline"}};
         add_positions();
+        if (!corners_.colors.empty()) add_colors();
         GlbJson primitives = GlbJson::array();
         for (const std::vector<FaceId>& faces : faces_by_material())
             primitives.push_back(primitive(faces));
@@ -101,8 +106,10 @@ private:
 
     GlbJson primitive(const std::vector<FaceId>& faces) {
         GlbJson primitive{{"attributes", {{"POSITION", 0}}}, {"indices", add_indices(faces)}};
-        if (const int material = material_of_group_[next_group_++]; material >= 0)
+        if (const int material = material_of_group_[next_group_++]; material >= 0) {
             primitive["material"] = material;
+            if (have_colors(faces)) primitive["attributes"]["COLOR_0"] = color_accessor_;
+        }
         if (options_.edges.empty()) return primitive;
         std::vector<Side> silhouettes;
         const std::vector<std::uint8_t> bits = visibility_bits(faces, silhouettes);
@@ -117,6 +124,17 @@ private:
         if (!silhouettes.empty()) edges["silhouetteNormals"] = add_normals(silhouettes);
         primitive["extensions"][k_gltf_edges] = edges;
         return primitive;
+    }
+
+    // Whether a corner of these faces is not white.
+    bool have_colors(const std::vector<FaceId>& faces) const {
+        const std::vector<glm::vec3>& colors = mesh_.materials().corner_colors;
+        if (colors.empty()) return false;
+        return std::ranges::any_of(faces, [&](FaceId face) {
+            const std::size_t first = std::size_t{3} * index(face);
+            return std::any_of(&colors[first], &colors[first] + 3,
+                               [](const glm::vec3& color) { return color != glm::vec3(1.0f); });
+        });
     }
 
     // A face at which an edge has its class.
@@ -177,26 +195,39 @@ private:
 
     void add_positions() {
         begin_view({{"target", k_array_buffer}});
-        char* at = extended_by(mesh_.positions().size_bytes());
-        for (const glm::vec3& p : mesh_.positions()) {
+        char* at = extended_by(vertex_count() * sizeof(glm::vec3));
+        const auto add = [&](const glm::vec3& p) {
             const glm::vec3 positive = p + 0.0f;  // Transforms of nodes do not keep negative zeros.
             std::memcpy(at, &positive, sizeof positive);
             at += sizeof positive;
-        }
+        };
+        for (const glm::vec3& p : mesh_.positions()) add(p);
+        for (const VertexId v : corners_.copies) add(mesh_.positions()[index(v)]);
         const auto& [low, high] = mesh_.bounds();
-        end_accessor(k_float, mesh_.vertex_count(), "VEC3",
+        end_accessor(k_float, vertex_count(), "VEC3",
                      {{"min", {low.x, low.y, low.z}}, {"max", {high.x, high.y, high.z}}});
     }
 
-    bool has_short_indices() const { return mesh_.vertex_count() <= k_max_short_vertices; }
+    // glTF's are linear, too.
+    void add_colors() {
+        begin_view({{"target", k_array_buffer}});
+        const std::size_t size = corners_.colors.size() * sizeof(glm::vec3);
+        std::memcpy(extended_by(size), corners_.colors.data(), size);
+        color_accessor_ = end_accessor(k_float, corners_.colors.size(), "VEC3");
+    }
+
+    std::size_t vertex_count() const { return mesh_.vertex_count() + corners_.copies.size(); }
+    bool has_short_indices() const { return vertex_count() <= k_max_short_vertices; }
 
     std::size_t add_indices(const std::vector<FaceId>& faces) {
         const bool are_short = has_short_indices();
         begin_view({{"target", k_element_array_buffer}});
         char* at = extended_by(3 * faces.size() * (are_short ? 2 : 4));
         for (const FaceId face : faces)
-            for (const VertexId v : mesh_.triangles()[index(face)]) {
-                const std::uint32_t number = index(v);
+            for (std::size_t c = 0; c < 3; ++c) {
+                const std::uint32_t number =
+                    corners_.vertices.empty() ? index(mesh_.triangles()[index(face)][c])
+                                              : corners_.vertices[std::size_t{3} * index(face) + c];
                 std::memcpy(at, &number, are_short ? 2 : 4);  // Its lower half comes first.
                 at += are_short ? 2 : 4;
             }
@@ -270,6 +301,8 @@ private:
 
     const Mesh& mesh_;
     const GlbOptions& options_;
+    const GlbCorners corners_;
+    std::size_t color_accessor_ = 0;
     std::vector<std::uint8_t> is_written_;  // Edges whose class a face has.
     GlbJson document_, view_;
     GlbJson accessors_ = GlbJson::array(), views_ = GlbJson::array(), materials_ = GlbJson::array();

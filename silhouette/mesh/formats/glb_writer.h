@@ -5,8 +5,8 @@
 // draw such edges.
 //
 // A primitive for each material, each with the faces of it in their order; faces without a material are one, too.
-// All share the welded vertices. Each edge has its class at one of its faces, the first as they are written, also
-// if its other faces are in other primitives.
+// All share the welded vertices, and copies of those whose corners have several colors (glb_corners.h). Each edge has
+// its class at one of its faces, the first as they are written, also if its other faces are in other primitives.
 //
 // Viewers decide on which silhouettes an edge is by two normals. As signed bytes they are wrong by up to half a
 // degree (docs/results/edges.md has what that does); as floats they are as our own.
@@ -35,9 +35,10 @@ struct GlbOptions {
     glm::dvec3 up{0.0, 1.0, 0.0};
 };
 
-/// The bytes of the file. Base colors of materials are kept, colors of corners and textures are not. `mesh` must
-/// have faces. Throws Error{too_large} if the file would have 2^31 bytes or more. O(vertices + faces + edges); in
-/// memory the file and one byte for each edge.
+/// The bytes of the file. Base colors of materials and colors of corners are kept exactly, as linear floats (COLOR_0);
+/// textures are not. `mesh` must have faces. Throws Error{too_large} if the file would have 2^31 bytes or more.
+/// O(vertices + faces + edges), and glb_corners(); in memory the file, one byte for each edge, and up to 40 bytes for
+/// each corner of a mesh with colors of corners.
 std::string glb_bytes(const Mesh& mesh, const GlbOptions& options);
 
 /// The outward unit normals of the two faces of an edge, that of `first`, one of its faces, before the other's,
