@@ -12,6 +12,7 @@
 
 #include "silhouette/mesh/clear_creases.h"
 #include "silhouette/mesh/edge_visibility.h"
+#include "silhouette/mesh/formats/embed_textures.h"
 #include "silhouette/mesh/formats/glb_writer.h"
 #include "silhouette/mesh/mesh.h"
 #include "silhouette/mesh/upright.h"
@@ -65,7 +66,10 @@ public:
             "creases, and edges of three faces or more. Silhouette edges are drawn where one face "
             "is front and\n"
             "the other back. Edges between faces in one plane are hidden. Equal positions become "
-            "one vertex.\n\n"
+            "one vertex.\n"
+            "Colors of materials, vertices and faces are written, and textures as the bytes of "
+            "their "
+            "files.\nTransparency is not.\n\n"
             "Examples:\n"
             "  rimline convert bunny.obj -o bunny.glb --edges\n"
             "  rimline convert fandisk.obj -o fandisk.glb --edges --crease 20 --normals floats");
@@ -78,8 +82,11 @@ public:
         check_output(context, output_);
         OutputFile file(output_, model_.model);
         MeshSource source = model_.load(context);
+        const std::size_t printed = source.warnings.size();  // load() has printed these.
+        embed_textures(source, {context.stop, {}});
+        for (std::size_t i = printed; i < source.warnings.size(); ++i)
+            print_warning(source.warnings[i]);
         const Mesh mesh = make_mesh(model_.model, source, context);
-        warn_of_losses(mesh);
         const std::vector<std::uint8_t> codes = std::move(source.edge_codes);
         source = {};
         if (normals_option_->count() > 0 && !finds_edges_ && codes.empty())
@@ -113,15 +120,6 @@ private:
             return crease_flags(mesh, static_cast<float>(glm::radians(*crease_degrees_)));
         return clear_crease_flags(
             mesh, static_cast<float>(glm::radians(DrawnLines::k_clear_crease_degrees)));
-    }
-
-    void warn_of_losses(const Mesh& mesh) const {
-        const FaceMaterials& materials = mesh.materials();
-        if (!materials.corner_colors.empty() || !materials.corner_uvs.empty())
-            print_warning(
-                model_.model +
-                ": colors of vertices and of single faces and textures are not written, only "
-                "the base colors of materials");
     }
 
     void report(const Context& context, const Mesh& mesh, const std::vector<EdgeVisibility>& edges,

@@ -9,10 +9,12 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "silhouette/mesh/formats/glb_corners.h"
+#include "silhouette/mesh/formats/glb_textures.h"
 #include "silhouette/mesh/formats/gltf_scene.h"
 
 namespace rimline {
@@ -54,10 +56,12 @@ public:
 
     std::string bytes() {
         check_size(sizeof(glm::vec3) * (vertex_count() + corners_.colors.size()) +
+                   sizeof(glm::vec2) * corners_.uvs.size() +
                    std::uint64_t{3} * mesh_.face_count() * (has_short_indices() ? 2 : 4));
         document_["asset"] = {{"version", "2.0"}, {"generator", "rimline"}};
         add_positions();
-        if (!corners_.colors.empty()) add_colors();
+        if (!corners_.colors.empty()) color_accessor_ = add_attribute(corners_.colors, "VEC3");
+        if (!corners_.uvs.empty()) uv_accessor_ = add_attribute(corners_.uvs, "VEC2");
         GlbJson primitives = GlbJson::array();
         for (const std::vector<FaceId>& faces : faces_by_material())
             primitives.push_back(primitive(faces));
@@ -69,6 +73,7 @@ public:
         document_["nodes"] = GlbJson::array({node});
         document_["meshes"] = GlbJson::array({GlbJson{{"primitives", primitives}}});
         if (!materials_.empty()) document_["materials"] = materials_;
+        textures_.write_to(document_);
         document_["accessors"] = accessors_;
         document_["bufferViews"] = views_;
         document_["buffers"] = GlbJson::array({GlbJson{{"byteLength", binary_.size()}}});
@@ -97,9 +102,19 @@ private:
     }
 
     int add_material(MaterialId material) {
-        const glm::vec3 color = mesh_.materials().materials[index(material)].base_color;
-        const GlbJson surface{{"baseColorFactor", {color.x, color.y, color.z, 1.0f}},
-                              {"metallicFactor", 0}};
+        const FaceMaterials& all = mesh_.materials();
+        const SurfaceMaterial& own = all.materials[index(material)];
+        const glm::vec3 color = own.base_color;
+        GlbJson surface{{"baseColorFactor", {color.x, color.y, color.z, 1.0f}},
+                        {"metallicFactor", 0}};
+        if (has_embedded_texture(all, material)) {
+            const auto [number, is_new] = textures_of_.try_emplace(own.texture, 0);
+            if (is_new)
+                number->second =
+                    textures_.add(all.textures[index(own.texture)],
+                                  [&](const std::string& bytes) { return add_bytes(bytes); });
+            surface["baseColorTexture"] = {{"index", number->second}};
+        }
         materials_.push_back(GlbJson::object({{"pbrMetallicRoughness", surface}}));
         return static_cast<int>(materials_.size()) - 1;
     }
@@ -109,6 +124,9 @@ private:
         if (const int material = material_of_group_[next_group_++]; material >= 0) {
             primitive["material"] = material;
             if (have_colors(faces)) primitive["attributes"]["COLOR_0"] = color_accessor_;
+            const MaterialId own = mesh_.materials().of_face[index(faces.front())];
+            if (has_embedded_texture(mesh_.materials(), own))
+                primitive["attributes"]["TEXCOORD_0"] = uv_accessor_;
         }
         if (options_.edges.empty()) return primitive;
         std::vector<Side> silhouettes;
@@ -208,12 +226,13 @@ private:
                      {{"min", {low.x, low.y, low.z}}, {"max", {high.x, high.y, high.z}}});
     }
 
-    // glTF's are linear, too.
-    void add_colors() {
+    // Colors are linear, and the origin of texture coordinates is the left top corner, as in glTF.
+    template <typename Vector>
+    std::size_t add_attribute(const std::vector<Vector>& elements, const char* type) {
         begin_view({{"target", k_array_buffer}});
-        const std::size_t size = corners_.colors.size() * sizeof(glm::vec3);
-        std::memcpy(extended_by(size), corners_.colors.data(), size);
-        color_accessor_ = end_accessor(k_float, corners_.colors.size(), "VEC3");
+        const std::size_t size = elements.size() * sizeof(Vector);
+        std::memcpy(extended_by(size), elements.data(), size);
+        return end_accessor(k_float, elements.size(), type);
     }
 
     std::size_t vertex_count() const { return mesh_.vertex_count() + corners_.copies.size(); }
@@ -243,12 +262,23 @@ private:
         view_.update(properties);
     }
 
+    // A view without an accessor. Returns its number.
+    std::size_t add_bytes(const std::string& bytes) {
+        begin_view();
+        std::memcpy(extended_by(bytes.size()), bytes.data(), bytes.size());
+        return end_view();
+    }
+
+    std::size_t end_view() {
+        view_["byteLength"] = binary_.size() - view_begin_;
+        views_.push_back(view_);
+        return views_.size() - 1;
+    }
+
     // Returns the number of the accessor.
     std::size_t end_accessor(int component, std::size_t count, const char* type,
                              const GlbJson& properties = GlbJson::object()) {
-        view_["byteLength"] = binary_.size() - view_begin_;
-        views_.push_back(view_);
-        GlbJson accessor{{"bufferView", views_.size() - 1},
+        GlbJson accessor{{"bufferView", end_view()},
                          {"componentType", component},
                          {"count", count},
                          {"type", type}};
@@ -302,8 +332,10 @@ private:
     const Mesh& mesh_;
     const GlbOptions& options_;
     const GlbCorners corners_;
-    std::size_t color_accessor_ = 0;
-    std::vector<std::uint8_t> is_written_;  // Edges whose class a face has.
+    std::size_t color_accessor_ = 0, uv_accessor_ = 0;
+    GlbTextures textures_;
+    std::map<TextureId, std::size_t> textures_of_;  // The file's number of each of the mesh's.
+    std::vector<std::uint8_t> is_written_;          // Edges whose class a face has.
     GlbJson document_, view_;
     GlbJson accessors_ = GlbJson::array(), views_ = GlbJson::array(), materials_ = GlbJson::array();
     std::vector<int> material_of_group_;  // -1: none.

@@ -5,6 +5,7 @@ import os
 import re
 import struct
 import tempfile
+import zlib
 
 from program import fail, read_file, run, succeed
 
@@ -31,7 +32,7 @@ class Glb:
         """The elements of an accessor: tuples, or numbers."""
         accessor = self.document["accessors"][number]
         view = self.document["bufferViews"][accessor["bufferView"]]
-        width = {"SCALAR": 1, "VEC3": 3}[accessor["type"]]
+        width = {"SCALAR": 1, "VEC2": 2, "VEC3": 3}[accessor["type"]]
         form = f"<{width}" + {5120: "b", 5121: "B", 5123: "H", 5125: "I", 5126: "f"}[accessor["componentType"]]
         size = struct.calcsize(form)
         stride = view.get("byteStride", size)
@@ -168,9 +169,17 @@ def test_convert_keeps_the_classes_of_a_file():
         assert all(succeed("info", path)["faces"] == faces for path in (first, second, plain))
 
 
-def test_convert_keeps_base_colors_and_says_what_it_leaves_out():
+def write_png(path):
+    """A red pixel."""
+    chunk = lambda kind, data: struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    with open(path, "wb") as file:
+        file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">2I5B", 1, 1, 8, 2, 0, 0, 0)) +
+                   chunk(b"IDAT", zlib.compress(b"\0\xff\0\0")) + chunk(b"IEND", b""))
+
+
+def test_convert_keeps_base_colors_and_textures_and_says_what_it_leaves_out():
     with tempfile.TemporaryDirectory() as folder:
-        model, colored = os.path.join(folder, "a.obj"), os.path.join(folder, "b.obj")
+        model, textured = os.path.join(folder, "a.obj"), os.path.join(folder, "b.obj")
         with open(os.path.join(folder, "a.mtl"), "w", encoding="ascii") as file:
             file.write("newmtl red\nKd 1 0 0\nnewmtl white\nKd 1 1 1\n")
         points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 1\n"
@@ -186,10 +195,89 @@ def test_convert_keeps_base_colors_and_says_what_it_leaves_out():
         classes, normals = glb.edges()
         assert counts_of(classes) == found["edge_visibility"] == {"hidden": 0, "silhouette": 3, "hard": 3}
         assert len(normals) == 3
-        with open(colored, "w", encoding="ascii") as file:
-            file.write("v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n")
-        result = run("convert", colored, "-o", path)
-        assert result.returncode == 0 and "colors of vertices and of single faces and textures are not written" in result.stderr, result
+        with open(os.path.join(folder, "b.mtl"), "w", encoding="ascii") as file:
+            file.write("newmtl a\nmap_Kd a.png\n")
+        with open(textured, "w", encoding="ascii") as file:
+            file.write("mtllib b.mtl\n" + points + "vt 0 0\nvt 1 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3\n")
+        result = run("convert", textured, "-o", path)
+        assert result.returncode == 0 and "a.png" in result.stderr and "texture is missing" in result.stderr, result
+        assert "images" not in Glb(path).document
+        picture = os.path.join(folder, "a.png")
+        write_png(picture)
+        result = run("convert", textured, "-o", path)
+        assert result.returncode == 0 and not result.stderr, result
+        glb = Glb(path)
+        image = glb.document["images"][0]
+        view = glb.document["bufferViews"][image["bufferView"]]
+        assert image["mimeType"] == "image/png"
+        assert glb.binary[view["byteOffset"]:view["byteOffset"] + view["byteLength"]] == read_file(picture)
+        assert glb.elements(glb.primitives()[0]["attributes"]["TEXCOORD_0"]) == [(0, 1), (1, 1), (0, 0)]
+        assert succeed("info", path)["textures"] == [f"{path}: images[0]"]
+
+
+def linear(srgb):
+    """Of a byte."""
+    c = srgb / 255
+    return c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4
+
+
+def corner_colors(glb):
+    """The position and the color of each corner: the base color times COLOR_0."""
+    found = []
+    for primitive in glb.primitives():
+        positions = glb.elements(primitive["attributes"]["POSITION"])
+        colors = glb.elements(primitive["attributes"]["COLOR_0"])
+        assert len(colors) == len(positions)
+        base = glb.document["materials"][primitive["material"]]["pbrMetallicRoughness"]["baseColorFactor"]
+        for v in glb.elements(primitive["indices"]):
+            found.append((positions[v], tuple(b * c for b, c in zip(base, colors[v]))))
+    return found
+
+
+def test_convert_keeps_colors_of_vertices_and_faces():
+    """Of each format: COLOR_0 is linear, the other formats are sRGB. What is written is read again as it was."""
+    points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+    bytes_of_vertices = [(255, 51, 0), (0, 255, 9), (1, 2, 3), (255, 255, 255)]
+    bytes_of_faces = [(200, 100, 50), (20, 40, 80)]
+    faces = [(0, 1, 2), (0, 2, 3)]
+    line = lambda *numbers: " ".join(map(str, numbers)) + "\n"
+    vertices = "".join(line(*p, *c) for p, c in zip(points, bytes_of_vertices))
+    plain = "".join(line(*p) for p in points)
+    plain_faces = "".join(line(3, *f) for f in faces)
+    colored_faces = "".join(line(3, *f, *c) for f, c in zip(faces, bytes_of_faces))
+    channels = "property uchar {0}red\nproperty uchar {0}green\nproperty uchar {0}blue\n"
+    ply = ("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n{}"
+           "element face 2\nproperty list uchar int vertex_indices\n{}end_header\n")
+    of_vertex = lambda face, corner: bytes_of_vertices[faces[face][corner]]
+    of_face = lambda face, corner: bytes_of_faces[face]
+    bits = lambda color: 0x8000 | sum((c >> 3) << shift for c, shift in zip(color, (10, 5, 0)))
+    stl = b" " * 80 + struct.pack("<I", 2) + b"".join(
+        struct.pack("<12fH", 0, 0, 1, *(x for v in f for x in points[v]), bits(c)) for f, c in zip(faces, bytes_of_faces))
+    models = (("a.off", "COFF\n4 2 0\n" + vertices + plain_faces, of_vertex),
+              ("b.off", "OFF\n4 2 0\n" + plain + colored_faces, of_face),
+              ("a.ply", ply.format(channels.format("diffuse_"), "") + vertices + plain_faces, of_vertex),
+              ("b.ply", ply.format("", channels.format("")) + plain + colored_faces, of_face),
+              ("a.obj", "".join("v " + line(*p, *c) for p, c in zip(points, bytes_of_vertices)) +
+               "".join("f " + line(*(v + 1 for v in f)) for f in faces), of_vertex),
+              ("a.stl", stl, lambda face, corner: [(c >> 3) * 255 / 31 for c in bytes_of_faces[face]]))
+    with tempfile.TemporaryDirectory() as folder:
+        first, second = os.path.join(folder, "first.glb"), os.path.join(folder, "second.glb")
+        for name, text, color_of in models:
+            path = os.path.join(folder, name)
+            with open(path, "wb") as file:
+                file.write(text if isinstance(text, bytes) else text.encode("ascii"))
+            result = run("convert", path, "-o", first, "--up", "y", "--edges")
+            assert result.returncode == 0 and not result.stderr, (name, result)
+            found = corner_colors(Glb(first))
+            assert len(found) == 6
+            for i, (position, color) in enumerate(found):
+                assert position == points[faces[i // 3][i % 3]], name
+                expected = [linear(c) for c in color_of(i // 3, i % 3)]
+                assert all(abs(c - e) < 1e-6 for c, e in zip(color, expected)), (name, i, color, expected)
+            # The copies of vertices are one vertex again, and all is written as it was read.
+            assert succeed("info", first)["vertices"] == 4, name
+            succeed("convert", first, "-o", second)
+            assert corner_colors(Glb(second)) == found and read_file(first) == read_file(second), name
 
 
 def test_convert_refuses_what_it_cannot_write():
