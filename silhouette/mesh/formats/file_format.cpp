@@ -33,9 +33,10 @@ bool begins_as_ply(std::string_view bytes) {
 }
 
 bool is_off_word(std::string_view word) {
-    for (const std::string_view prefix : {"ST", "C", "N", "4", "n"})
+    for (const std::string_view prefix : {"ST", "NC", "C", "N", "ST", "4", "n"})
         if (word.starts_with(prefix)) word.remove_prefix(prefix.size());
-    return word == "OFF";
+    // The vertex count may follow without a space.
+    return word.starts_with("OFF") && (word.size() == 3 || parse_integer(word.substr(3)));
 }
 
 // Decides by content, then by name. The name is needed for a truncated binary STL, an OFF that begins with

@@ -25,6 +25,8 @@ namespace {
 struct OffKind {
     bool texture = false, color = false, normal = false;
     bool is_color_first = false;  // Before the normal.
+    // What follows the word without a space, as in files of ModelNet: "OFF490 518 0".
+    std::string_view vertex_count;
 };
 
 OffKind read_kind(TextScanner& scanner, std::string_view keyword) {
@@ -44,7 +46,9 @@ OffKind read_kind(TextScanner& scanner, std::string_view keyword) {
         scanner.fail(excerpt(keyword) +
                      " has other than three coordinates a vertex, which is not "
                      "supported; convert it to OFF");
-    if (rest != "OFF") scanner.fail(excerpt(keyword) + " is no kind of OFF");
+    if (!take("OFF") || (!rest.empty() && !parse_integer(rest)))
+        scanner.fail(excerpt(keyword) + " is no kind of OFF");
+    kind.vertex_count = rest;
     return kind;
 }
 
@@ -187,7 +191,7 @@ MeshSource read_off(const SourceFile& file, BadPoints bad, const LongCall& call)
     OffKind kind;
     if (!parse_float(token)) {  // The word is optional. Without it, the counts come first.
         kind = read_kind(scanner, token);
-        token = scanner.token();
+        token = kind.vertex_count.empty() ? scanner.token() : kind.vertex_count;
         if (token == "BINARY")
             scanner.fail("binary OFF is not supported; convert it to text OFF or to PLY");
         if (token.empty()) token = word_or_fail(scanner, "the counts of vertices and faces");

@@ -6,7 +6,7 @@ using namespace rimline::tests;
 TEST_CASE("OFF: the plain kind is read, with or without its word and its edge count") {
     const std::string body = sample_off().substr(sample_off().find("13 5 0") + 6);
     for (const std::string begin : {"OFF\n13 5 0", "OFF 13 5 0", "OFF # x\n\n 13 5", "13 5 0",
-                                    "OFF\n13\n5\n0", "# first\nOFF\n13 5 99"}) {
+                                    "OFF\n13\n5\n0", "OFF13 5 0", "# first\nOFF\n13 5 99"}) {
         CAPTURE(begin);
         const MeshSource source = read_text("a.off", begin + body);
         CHECK(source.positions == sample_positions());
