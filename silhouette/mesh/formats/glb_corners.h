@@ -1,8 +1,8 @@
 #pragma once
 
-// The vertices of a GLB file. In glTF a color and texture coordinates belong to a vertex, in a mesh to a corner of a face
-// (face_materials.h). So a vertex whose corners have several of them becomes several vertices at one position. Welding
-// joins them again.
+// The vertices of a GLB file. In glTF a color and texture coordinates belong to a vertex, in a mesh to a corner of a
+// face (face_materials.h). So a vertex whose corners have several of them becomes several vertices at one position.
+// Welding joins them again.
 
 #include <cstdint>
 #include <glm/vec2.hpp>

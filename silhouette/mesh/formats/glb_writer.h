@@ -38,8 +38,8 @@ struct GlbOptions {
 /// The bytes of the file. Base colors of materials and colors of corners are kept exactly, as linear floats (COLOR_0).
 /// Textures are kept, with the bytes of their files, if these are there (embed_textures()); others are left out. `mesh`
 /// must have faces. Throws Error{too_large} if the file would have 2^31 bytes or more. O(vertices + faces + edges +
-/// bytes of textures), and glb_corners(); in memory the file, one byte for each edge, and up to 60 bytes for each corner
-/// of a mesh with colors of corners or textures.
+/// bytes of textures), and glb_corners(); in memory the file, one byte for each edge, and up to 60 bytes for each
+/// corner of a mesh with colors of corners or textures.
 std::string glb_bytes(const Mesh& mesh, const GlbOptions& options);
 
 /// The outward unit normals of the two faces of an edge, that of `first`, one of its faces, before the other's,

@@ -7,9 +7,9 @@
 //     Magics     0: valid    blue     green   red       if "COLOR=" and four bytes RGBA are in the header
 //     MeshLab    always 1    blue     green   red       the same
 //
-// Rule, without COLOR= (VisCAM, SolidView): a facet has the color of its bits if bit 15 is set, and none if all bits are
-// 0. Any other value shows that the attributes are something else. Then no facet has a color, and a warning says so if
-// some have bit 15. So random attributes are no colors.
+// Rule, without COLOR= (VisCAM, SolidView): a facet has the color of its bits if bit 15 is set, and none if all bits
+// are 0. Any other value shows that the attributes are something else. Then no facet has a color, and a warning says so
+// if some have bit 15. So random attributes are no colors.
 //
 // Rule, with COLOR=: a facet has the color of its bits if bit 15 is 0, otherwise that of the header. If bit 15 of all
 // facets is set, as MeshLab writes, all have the color of their bits. But all have the color of the header if the

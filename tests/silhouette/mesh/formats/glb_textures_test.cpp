@@ -13,8 +13,8 @@ namespace {
 
 const std::string k_png_begin = "\x89PNG\r\n\x1a\n";
 
-/// A ball whose faces have one of three textured materials, one without a texture, or none, in turn. Two of the textures
-/// have the same file.
+/// A ball whose faces have one of three textured materials, one without a texture, or none, in turn. Two of the
+/// textures have the same file.
 MeshSource textured_ball(const ScratchFolder& folder) {
     MeshSource source = make_built_in_shape("sphere", 500);
     const auto first = folder.write("a.png", k_png_begin + "first");
