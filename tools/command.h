@@ -66,6 +66,8 @@ public:
     virtual void take_rest(std::vector<std::string>) {}
     /// Called after parsing.
     virtual ExitStatus run(const Context& context) = 0;
+    /// Whether it prints anything with --json. If not, its help does not list the option, and run() refuses it.
+    virtual bool has_json() const { return true; }
 };
 
 /// Flushes standard output, then writes `message` to standard error as one line; line breaks become spaces, and

@@ -148,8 +148,8 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
     bool json = false, quiet = false, verbose = false;
     std::uint32_t threads = 0;
     const std::vector<std::unique_ptr<Command>> commands = make_commands();
-    const auto add_shared_options = [&](CLI::App& sub) {
-        sub.add_flag("--json", json, k_json_description)->group("Output");
+    const auto add_shared_options = [&](CLI::App& sub, bool has_json) {
+        sub.add_flag("--json", json, k_json_description)->group(has_json ? "Output" : "");
         sub.add_flag("--quiet", quiet, "Print no summary, warnings or progress")->group("Output");
         sub.add_flag("--verbose", verbose, "Print to standard error where the time went")
             ->group("Output");
@@ -164,9 +164,9 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
         CLI::App* sub = app.add_subcommand(command->name(), command->summary());
         sub->set_help_flag("-h,--help", "Print this help and exit");
         command->add_options(*sub);
-        add_shared_options(*sub);
+        add_shared_options(*sub, command->has_json());
         for (CLI::App* nested : sub->get_subcommands([](CLI::App*) { return true; }))
-            add_shared_options(*nested);
+            add_shared_options(*nested, command->has_json());
     }
     std::string completion;
     bool wants_manual = false;

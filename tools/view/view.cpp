@@ -63,6 +63,8 @@ public:
             "  rimline view --frames 1 --screenshot window.png");
     }
 
+    bool has_json() const override { return false; }
+
     ExitStatus run(const Context& context) override {
         if (context.json) throw UsageError("view has nothing to say in --json");
         view_.settle();

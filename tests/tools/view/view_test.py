@@ -84,3 +84,4 @@ def test_view_without_a_display_says_what_to_do():
         assert os.listdir(folder) == []
         assert "--frames" in fail(2, "view", "shape:box", "--screenshot", picture)
         fail(2, "view", "shape:box", "--json")
+        assert "--json" not in run("view", "--help").stdout and "--quiet" in run("view", "--help").stdout
