@@ -330,11 +330,22 @@ void ModelList::subdivide_as(std::span<const PlacedModel> models) {
     for (std::size_t i = 0; i < models.size(); ++i) models_[i].subdivide = models[i].subdivide;
 }
 
+void ModelList::at_place(const PlacedModel& model, const std::function<void()>& read) const {
+    try {
+        read();
+    } catch (const Error& error) {
+        if (!scene_ || error.code() != ErrorCode::io) throw;
+        throw Error(error.code(), scene_->path + ":models[" +
+                                      std::to_string(&model - models_.data()) +
+                                      "].model: " + error.what());
+    }
+}
+
 MeshSource ModelList::load(PictureOptions& picture, TexturePictures textures,
                            bool keeps_file_colors, const BeginCall& begin) {
     LoadedModels loaded(begin, textures);
     const PlacedModel& first = models_.front();
-    up_ = loaded.up(first, scene_up_);
+    at_place(first, [&] { up_ = loaded.up(first, scene_up_); });
     if (!picture.up || picture.is_up_auto) picture.up = glm::vec3(up_.up);
     const glm::dvec3 up = picture.ground_up ? glm::dvec3(*picture.ground_up) : up_.up;
     picture.ground_up = glm::vec3(up);
@@ -342,7 +353,8 @@ MeshSource ModelList::load(PictureOptions& picture, TexturePictures textures,
     std::map<const MeshSource*, MeshSource> without_colors;
     std::vector<PlacedSource> placed;
     for (const PlacedModel& model : models_) {
-        const MeshSource* source = &loaded.source(model);
+        const MeshSource* source = nullptr;
+        at_place(model, [&] { source = &loaded.source(model); });
         glm::dmat3 upright(1.0);
         if (&model != &first || model.up) {
             const glm::dvec3 own = loaded.up(model, model.up).up;

@@ -98,6 +98,9 @@ private:
     void read_command_line(PictureOptions& picture);
     void read_scene(PictureOptions& picture, FirstCamera first_camera);
     void use(const std::vector<SceneFile::Setting>& settings);
+    // Calls `read`. Where it cannot read the file of `model`, one of models_, the message begins with the place in the
+    // scene file that names it.
+    void at_place(const PlacedModel& model, const std::function<void()>& read) const;
 
     CLI::App* app_ = nullptr;
     CLI::Option *model_option_ = nullptr, *up_option_ = nullptr;

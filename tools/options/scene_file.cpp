@@ -62,8 +62,8 @@ constexpr std::array<PictureKey, 21> k_picture_keys{{{"style", Kind::text},
                                                      {"size", Kind::text}}};
 
 [[noreturn]] void fail(const std::string& path, const std::string& place, const std::string& what) {
-    throw Error(ErrorCode::bad_input,
-                path + ":" + printable_text(place) + ": " + printable_text(what));
+    throw Error(ErrorCode::bad_input, path + (place.empty() ? "" : ":" + printable_text(place)) +
+                                          ": " + printable_text(what));
 }
 
 // Without the name of the option before it.
@@ -181,17 +181,60 @@ std::string read_text(const std::string& path) {
          "is not JSON: " + message.substr(colon + 2));
 }
 
+// The objects and lists that a parser is in, from its events.
+class OpenValues {
+public:
+    // Returns false for a key that its object has already: the parser would keep the last one.
+    bool follow(Json::parse_event_t event, const Json& parsed) {
+        switch (event) {
+            case Json::parse_event_t::object_start: open_.push_back({}); break;
+            case Json::parse_event_t::array_start: open_.push_back({.is_list = true}); break;
+            case Json::parse_event_t::object_end:
+            case Json::parse_event_t::array_end:
+                open_.pop_back();
+                end_value();
+                break;
+            case Json::parse_event_t::value: end_value(); break;
+            case Json::parse_event_t::key:
+                open_.back().key = parsed.get<std::string>();
+                return open_.back().keys.insert(open_.back().key).second;
+        }
+        return true;
+    }
+
+    // Of the value that comes next, as Node has it.
+    std::string place() const {
+        std::string place;
+        for (const Open& open : open_) {
+            if (open.is_list)
+                place += "[" + std::to_string(open.index) + "]";
+            else
+                place += (place.empty() ? "" : ".") + open.key;
+        }
+        return place;
+    }
+
+private:
+    struct Open {
+        bool is_list = false;
+        std::size_t index = 0;
+        std::string key;
+        std::set<std::string> keys;
+    };
+
+    void end_value() {
+        if (!open_.empty()) ++open_.back().index;
+    }
+
+    std::vector<Open> open_;
+};
+
 Json parse_json(const std::string& path, const std::string& text) {
-    // Keys of the open objects: the parser would keep the last of two equal ones.
-    std::vector<std::set<std::string>> keys;
+    OpenValues open;
     const auto check = [&](int, Json::parse_event_t event, Json& parsed) {
-        if (event == Json::parse_event_t::object_start) keys.emplace_back();
-        if (event == Json::parse_event_t::object_end) keys.pop_back();
-        if (event == Json::parse_event_t::key &&
-            !keys.back().insert(parsed.get<std::string>()).second)
-            throw Error(ErrorCode::bad_input, path + ": the key \"" +
-                                                  printable_text(parsed.get<std::string>()) +
-                                                  "\" occurs twice in one object");
+        if (!open.follow(event, parsed))
+            fail(path, open.place(),
+                 "the key \"" + parsed.get<std::string>() + "\" occurs twice in one object");
         return true;
     };
     try {
@@ -199,7 +242,7 @@ Json parse_json(const std::string& path, const std::string& text) {
     } catch (const Json::parse_error& error) {
         fail_syntax(path, error.what());
     } catch (const Json::exception&) {
-        throw Error(ErrorCode::bad_input, path + ": holds a number that is out of range");
+        fail(path, open.place(), "this number is out of range; the largest one is about 1.8e308");
     }
 }
 

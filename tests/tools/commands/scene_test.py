@@ -307,7 +307,9 @@ def test_bad_scene_files_are_errors_with_the_place():
         (changed(models=[{"model": "shape:bxo"}]), "scene.json:models[0].model: no built-in shape"),
         (changed(models=[{"model": "-"}]), "scene.json:models[0].model: a scene file cannot name standard input"),
         (changed(models=[{"model": "b.json"}]), "scene.json:models[0].model: a scene file cannot hold another"),
+        (changed(models=[{"model": BOX}, {"model": "missing.obj"}]), "scene.json:models[1].model: "),
         (changed(models=[{"model": "missing.obj"}]), "missing.obj: cannot open"),
+        (changed(models=[{"model": "."}]), "scene.json:models[0].model: "),
         (changed(up="w"), "scene.json:up: "),
         (changed(lights=[{"sun": [1, 2, 3], "lamp": [1, 2, 3]}]), "scene.json:lights[0]: expected one of"),
         (changed(lights=[{"sun": [0, 0, 0]}]), "scene.json:lights[0].sun: expected a direction"),
@@ -328,8 +330,11 @@ def test_bad_scene_files_are_errors_with_the_place():
         (changed(lights=[{"lamp": [9, 1, 1]}], picture={"lighting": "three-point"}), "scene.json:picture.lighting: takes one"),
         (changed(picture={"style": "mask", "color": "red"}), "scene.json:picture.color: the style mask has only"),
         (changed(picture={"silhouette-from": [9, 1, 1], "min-length": 3}), "scene.json:picture.min-length: a frozen"),
-        ('{"rimline_scene": 1, "models": [{"model": "shape:box", "at": [1,2,3], "at": [1,2,3]}]}', "the key \"at\" occurs twice"),
-        ('{"rimline_scene": 1, "models": [{"model": "shape:box", "scale": 1e999}]}', "out of range"),
+        ('{"rimline_scene": 1, "models": [{"model": "shape:box", "at": [1,2,3], "at": [1,2,3]}]}', "scene.json:models[0].at: the key \"at\" occurs twice"),
+        ('{"rimline_scene": 1, "models": [], "models": []}', "scene.json:models: the key"),
+        ('{"rimline_scene": 1, "models": [{"model": "shape:box", "scale": 1e999}]}', "scene.json:models[0].scale: this number is out of range"),
+        ('{"lights": [{}, {"sun": [1, [2, {}], {"a": 3}, 1e999]}]}', "scene.json:lights[1].sun[3]: this number is out of range"),
+        ("-1e999", "scene.json: this number is out of range"),
     ]
     with tempfile.TemporaryDirectory() as folder:
         output = os.path.join(folder, "a.png")
