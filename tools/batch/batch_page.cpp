@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "silhouette/printable_text.h"
 #include "tools/output/xml_text.h"
 
 namespace rimline::tools {
@@ -30,6 +31,9 @@ std::string url(const std::string& path) {
     }
     return escaped;
 }
+
+// Names of files are any bytes. HTML would show a line break as a space, and some bytes not at all.
+std::string shown_text(const std::string& text) { return escaped_for_xml(printable_text(text)); }
 
 bool is_shown(const std::string& output) {
     const std::string ending = fs::path(output).extension().string();
@@ -67,16 +71,17 @@ std::string batch_page(const std::vector<BatchPageItem>& items, const fs::path& 
     const std::size_t shown = std::min(items.size(), k_max_items);
     for (std::size_t i = 0; i < shown; ++i) {
         const BatchPageItem& item = items[i];
+        const std::string name = shown_text(item.input);
         page += "<figure>";
         if (const std::string* output = shown_output(item)) {
             const std::string link = url(
                 fs::absolute(*output).lexically_relative(fs::absolute(folder)).generic_string());
             page += "<a href=\"" + link + "\"><img loading=\"lazy\" src=\"" + link + "\" alt=\"" +
-                    escaped_for_xml(item.input) + "\"></a>";
+                    name + "\"></a>";
         }
-        page += "<figcaption>" + escaped_for_xml(item.input);
+        page += "<figcaption>" + name;
         if (!item.error.empty())
-            page += "<br><span class=\"failed\">" + escaped_for_xml(item.error) + "</span>";
+            page += "<br><span class=\"failed\">" + shown_text(item.error) + "</span>";
         page += "</figcaption></figure>\n";
     }
     page += "</main>\n";

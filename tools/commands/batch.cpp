@@ -234,6 +234,10 @@ private:
             throw UsageError("after -- comes a subcommand that takes a model, not '" +
                              rest_.front() + "'");
         for (const std::string& word : rest_) {
+            if (word == "--")
+                throw UsageError(
+                    "a second -- : the models stand before the first one, and the subcommand's "
+                    "options after it");
             if (word == "--help" || word == "-h")
                 throw UsageError("rimline " + rest_.front() + " --help describes its options");
             if (const std::string place = unknown_batch_place(word); !place.empty())
@@ -421,7 +425,15 @@ private:
     void count_failure(const BatchTask& task, const std::string& kind, const std::string& error) {
         ++kinds_[kind];
         if (first_failures_.size() < k_named_failures)
-            first_failures_.push_back(task.input.model + ": " + error);
+            first_failures_.push_back(with_name(task.input.model, error));
+    }
+
+    // Most messages of subcommands begin with the name of the file, as print_error() writes it.
+    static std::string with_name(const std::string& model, const std::string& error) {
+        std::string line(model);
+        std::ranges::replace(line, '\n', ' ');
+        const bool has_name = error.starts_with(printable_text(line) + ":");
+        return has_name ? error : model + ": " + error;
     }
 
     // Of all that the manifest has of these models.

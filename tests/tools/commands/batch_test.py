@@ -89,7 +89,7 @@ def test_failures_are_recorded_and_cost_one_model():
         result, told = batch(str(root), "-o", out, "--", "info")
         assert result.returncode == 1 and result.stderr.startswith("rimline: error: 1 of 7 models failed: ")
         assert (told["done"], told["failed"], told["kinds"]) == (6, 1, {"failed": 1})
-        assert told["failures"] == [f"{root}/bad.obj: {root}/bad.obj:2: {told['failures'][0].split(': ', 2)[2]}"]
+        assert told["failures"] == [f"{root}/bad.obj:2: {told['failures'][0].split(': ', 1)[1]}"]
         line = next(line for line in entries(f"{out}/manifest.jsonl") if line["status"] == "failed")
         assert "bad.obj:2: " in line["error"] and line["outputs"] == [] and line["result"] is None
         # It is not tried again unless asked for.
@@ -165,6 +165,7 @@ def test_wrong_command_lines_are_usage_errors():
             assert f"{subcommand} needs -o" in fail(2, "batch", root, "-o", out, "--", subcommand)
         assert fail(2, "batch", root, "-o", out, "--", "draw", "--lines", "ink", "-o", "{out}/{stem}.svg").count("--help") == 1
         assert "no subcommand" in fail(2, "batch", root, "--")
+        assert "a second -- " in fail(2, "batch", root, "-o", out, "--", "info", "--", "x")
         assert "not 'bench'" in fail(2, "batch", root, "--", "bench")
         assert "not 'batch'" in fail(2, "batch", root, "--", "batch")
         assert "MODELS" in fail(2, "batch", "--", "info")
@@ -210,6 +211,21 @@ def test_the_page_shows_pictures_and_failures():
         page = pathlib.Path(f"{folder}/all.html").read_text()
         assert "3 models, 1 failed" in page and 'src="out/m0.svg"' in page and "b&amp;d &lt;1&gt;.obj" in page
         assert page.count("<figure>") == 3 and page.count("<img") == 2
+
+
+def test_names_of_any_bytes_are_shown_once_and_as_text():
+    with tempfile.TemporaryDirectory() as folder:
+        root = models(folder, 1)
+        for name in (b"new\nline.obj", b"bad\xff.obj", b"a<b>.obj"):
+            (root / os.fsdecode(name)).write_text("f 1 2 3\n")
+        (root / "plain.obj").write_text("f 1 2 3\n")
+        told = run("batch", str(root), "-o", f"{folder}/out", "--page", f"{folder}/all.html", "--", "info")
+        for name, once in (("plain.obj", "plain.obj:1: "), ("a<b>.obj", "a<b>.obj:1: "), ("bad", "bad\\xff.obj:1: "), ("new", "new line.obj:1: ")):
+            [line] = [line for line in told.stdout.splitlines() if name in line]
+            assert once in line and line.count(name) == 1, line
+        page = pathlib.Path(f"{folder}/all.html").read_text("utf-8")
+        assert "/new\\x0aline.obj" in page and "/bad\\xff.obj" in page and "/a&lt;b&gt;.obj" in page
+        assert "\nline" not in page
 
 
 def test_killed_batches_lose_nothing_and_double_nothing():
