@@ -31,10 +31,10 @@ void parse_ortho(const std::string& text, LineCameraOptions& options) {
     double height = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), height);
     // Also false for NaN.
-    const bool is_in_range = height >= 0x1p-40 && height <= double{k_max_coordinate};
+    const bool is_in_range = height >= k_min_ortho_height && height <= k_max_ortho_height;
     if (error != std::errc() || end != text.data() + text.size() || !is_in_range)
         throw CLI::ValidationError(
-            "--ortho", "expected auto or a height from 2^-40 to 2^60, not '" + text + "'");
+            "--ortho", "expected auto or a height from 1e-12 to 1e18, not '" + text + "'");
     options.ortho_height = height;
 }
 

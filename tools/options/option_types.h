@@ -19,6 +19,9 @@
 
 namespace rimline::tools {
 
+/// Limits of --ortho, in the model's units.
+constexpr double k_min_ortho_height = 1e-12, k_max_ortho_height = 1e18;
+
 /// Three finite numbers `x,y,z`, each at most k_max_coordinate in magnitude. Blanks around them are ignored.
 /// Throws CLI::ValidationError.
 glm::vec3 parse_point(const std::string& option, std::string_view text);

@@ -26,7 +26,7 @@ void PictureOptions::add_lens_to(CLI::App& app) {
             "Vertical field of view in degrees (default: 35; with --eye alone, what shows the "
             "whole model)")
             ->group(k_group);
-    add_number(app, "--ortho", ortho_height, 0x1p-40, double{k_max_coordinate},
+    add_number(app, "--ortho", ortho_height, k_min_ortho_height, k_max_ortho_height,
                "Orthographic view of this height in the model's units")
         ->excludes(fov)
         ->group(k_group);

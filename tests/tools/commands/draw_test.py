@@ -532,6 +532,7 @@ def test_wrong_drawings_are_told_in_plain_words():
         assert "--views: expected some of front,top,right,iso,left,bottom,back, not ''" in fail(2, *box, "--views", "")
         assert "--source: only drawings in SVG" in fail(2, "draw", "shape:box", "--source", "-o", "a.dxf")
         assert "--scale: needs an orthographic view" in fail(2, *box, "--scale", "1:1")
+        assert "a height from 1e-12 to 1e18, not '0'" in fail(2, *box, "--ortho", "0")
         assert "--scale: expected A:B, for example 1:10, not '3'" in fail(2, *box, "--ortho", "auto", "--scale", "3")
         assert "--scale: the drawing has" in fail(2, *box, "--ortho", "auto", "--scale", "1000:1")
         assert "--page: expected fit, or WxH with both from 1 to 5000 mm, not '0x9'" in fail(2, *box, "--page", "0x9")

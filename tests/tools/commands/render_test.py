@@ -51,6 +51,7 @@ def test_render_draws_every_style_camera_and_light():
             check_render(result, output, (96, 64))
             assert result["validation_messages"] is None
             assert (result["shadow_edges"] == 0) == ("--shadows" in options)
+        assert "a number from 1e-12 to 1e+18, not '0'" in fail(2, "render", "shape:box", "--ortho", "0")
 
 
 def test_render_chooses_a_sun_that_lights_a_third_to_two_thirds():
