@@ -107,10 +107,12 @@ MeshSource load_model(const std::string& model, std::uint32_t subdivide,
                       const std::string& format) {
     check_format_is_of_input(model, format);
     MeshSource source;
-    if (const std::optional<ShapeName> shape = parse_shape(model))
+    if (const std::optional<ShapeName> shape = parse_shape(model)) {
+        begin("making " + model).checkpoint(0.0);
         source = about_model(model, [&] { return make_built_in_shape(shape->name, shape->faces); });
-    else
+    } else {
         source = read_model(model, format, requirement, begin);
+    }
     declare_inputs(source.files);
     if (textures == TexturePictures::read && !source.materials.textures.empty())
         read_textures(source, begin("reading the textures of " + model));
@@ -142,6 +144,7 @@ MeshSource load_drawn_model(const std::string& model, std::uint32_t subdivide,
                             const std::string& format) {
     MeshSource source =
         load_model(model, subdivide, FaceRequirement::faces, begin, textures, format);
+    begin("comparing the faces of " + model).checkpoint(0.0);
     draw_double_faces_once(model, source);
     return source;
 }

@@ -374,6 +374,7 @@ MeshSource ModelList::load(PictureOptions& picture, TexturePictures textures,
                           .paint = model.paint ? std::optional(linear(*model.paint)) : std::nullopt,
                           .name = model.model});
     }
+    begin("placing the models").checkpoint(0.0);
     return join_sources(placed);
 }
 
