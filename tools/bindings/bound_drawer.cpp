@@ -81,6 +81,7 @@ std::unique_ptr<BoundDrawing> BoundDrawer::draw(const DrawOptions& options, bool
         .visible_double_mm = lines.visible_double_mm(),
         .min_visible_mm = lines.min_length_mm.value_or(0.0),
         .curve_mm = lines.curve_mm,
+        .page_mm = page.size_mm,
         .frame = {}};
     if (lines.hidden_by > 0) page_options.hidden_by = lines.hidden_by;
     if (part.is_cut) page_options.frame = {part.low, part.high};

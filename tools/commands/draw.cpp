@@ -315,6 +315,7 @@ private:
                     format == DrawingFormat::json ? 0.0 : lines_.visible_double_mm(),
                 .min_visible_mm = lines_.min_length_mm.value_or(0.0),
                 .curve_mm = has_curves(format) ? lines_.curve_mm : 0.0,
+                .page_mm = page.size_mm,
                 .frame = {},
                 .mesh = has_edges ? &mesh : nullptr,
                 .materials = materials ? &*materials : nullptr,

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+#include <limits>
 #include <span>
 
 #include "silhouette/lines/line_simplify.h"
@@ -248,6 +250,50 @@ private:
     std::vector<std::uint32_t> kept_;
 };
 
+// The curves of lines that leave frame or page nowhere by more than k_max_outside_mm: closer to the points where the
+// tolerance lets them swing out.
+class FittedCurves {
+public:
+    FittedCurves(const ViewPlace& place, const PageLineOptions& options)
+        : tolerance_mm_(options.curve_mm) {
+        if (options.frame) {
+            const glm::dvec2 a = place.to_mm(options.frame->low);
+            const glm::dvec2 b = place.to_mm(options.frame->high);
+            low_ = glm::min(a, b);
+            high_ = glm::max(a, b);
+        } else if (options.page_mm) {
+            low_ = glm::dvec2(0.0);
+            high_ = *options.page_mm;
+        }
+    }
+
+    std::vector<CurvePiece> of(const PageLine& line) const {
+        double tolerance_mm = tolerance_mm_;
+        std::vector<CurvePiece> curves = fit_curves(line.points, line.is_closed, tolerance_mm);
+        while (tolerance_mm > k_max_outside_mm && !lie_inside(curves)) {
+            tolerance_mm = std::max(0.5 * tolerance_mm, k_max_outside_mm);
+            curves = fit_curves(line.points, line.is_closed, tolerance_mm);
+        }
+        return curves;
+    }
+
+private:
+    // A curve lies within the hull of its ends, which are points of the line, and its control points.
+    bool lie_inside(std::span<const CurvePiece> curves) const {
+        return std::ranges::all_of(curves, [&](const CurvePiece& piece) {
+            return piece.is_straight || (is_inside(piece.control_1) && is_inside(piece.control_2));
+        });
+    }
+    bool is_inside(const glm::dvec2& mm) const {
+        return glm::all(glm::greaterThanEqual(mm, low_ - k_max_outside_mm)) &&
+               glm::all(glm::lessThanEqual(mm, high_ + k_max_outside_mm));
+    }
+
+    double tolerance_mm_;
+    glm::dvec2 low_{-std::numeric_limits<double>::infinity()};
+    glm::dvec2 high_{std::numeric_limits<double>::infinity()};
+};
+
 }  // namespace
 
 void add_page_lines(const LineDrawing& drawing, const ViewPlace& place,
@@ -260,9 +306,10 @@ void add_page_lines(const LineDrawing& drawing, const ViewPlace& place,
         leave_out_visible_doubles(lines, first, options.visible_double_mm, options.min_visible_mm);
     if (options.double_mm > 0.0)
         leave_out_hidden_doubles(lines, first, options.double_mm, options.min_length_mm);
-    if (options.curve_mm > 0.0)
-        for (PageLine& line : std::span(lines).subspan(first))
-            line.curves = fit_curves(line.points, line.is_closed, options.curve_mm);
+    if (options.curve_mm > 0.0) {
+        const FittedCurves curves(place, options);
+        for (PageLine& line : std::span(lines).subspan(first)) line.curves = curves.of(line);
+    }
 }
 
 }  // namespace rimline::tools

@@ -24,6 +24,9 @@ struct PictureRectangle {
     glm::dvec2 low, high;
 };
 
+/// A small part of a line's width.
+constexpr double k_max_outside_mm = 0.05;
+
 struct PageLineOptions {
     std::uint32_t hidden_by = 0xffffffffu;  ///< Hidden runs with more faces in front are left out.
     double min_length_mm = 0.0;             ///< Shorter hidden lines are left out.
@@ -33,7 +36,10 @@ struct PageLineOptions {
     double double_mm = 0.0;
     double visible_double_mm = 0.0;  ///< The same of visible lines, which are nearly one.
     double min_visible_mm = 0.0;     ///< What is left of them and shorter is left out.
-    double curve_mm = 0.0;  ///< Greater than 0: curves that leave the points by at most this.
+    /// Greater than 0: curves that leave the points by at most this; by less where they would otherwise leave the frame
+    /// or the page by more than k_max_outside_mm.
+    double curve_mm = 0.0;
+    std::optional<glm::dvec2> page_mm;      ///< The size of the page.
     std::optional<PictureRectangle> frame;  ///< Lines end at its borders.
     const Mesh* mesh = nullptr;             ///< If set, PageLine::edges is.
     /// If set, PageLine::ink is: of what is seen from `point`. For drawings whose runs have all points.

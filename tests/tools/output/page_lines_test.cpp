@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 #include <vector>
@@ -180,6 +182,44 @@ TEST_CASE("simplification moves no line by more than its tolerance") {
     const auto lines = made.lines({.simplify_mm = 0.1, .frame = {}});
     REQUIRE(lines.size() == 1);
     CHECK(lines[0].points == Points{{0, 0}, {2, 0}, {3, -0.5}, {4, 0}});
+}
+
+TEST_CASE("curves leave neither the page nor the frame, however large their tolerance is") {
+    // Most of an ellipse that touches all borders.
+    constexpr double k_width = 40.0, k_height = 12.0;
+    MadeDrawing made;
+    made.begin_chain(LineKind::silhouette, false);
+    Points points;
+    for (double angle = 0.0; angle < 6.0; angle += 0.05)
+        points.push_back(
+            {0.5 * k_width * (1.0 + std::cos(angle)), -0.5 * k_height * (1.0 - std::sin(angle))});
+    made.add_run(0, points);
+    made.add_stroke({{0, false}}, false);
+    const auto outside_mm = [&](const PageLineOptions& options) {
+        double most = 0.0;
+        for (const PageLine& line : made.lines(options)) {
+            REQUIRE(!line.curves.empty());
+            glm::dvec2 begin = line.points.front();
+            for (const CurvePiece& piece : line.curves) {
+                for (int i = 0; i <= 32 && !piece.is_straight; ++i) {
+                    const glm::dvec2 p = point_on(piece, begin, i / 32.0);
+                    most = std::max({most, -p.x, p.x - k_width, -p.y, p.y - k_height});
+                }
+                begin = piece.end;
+            }
+        }
+        return most;
+    };
+    double worst_mm = 0.0;
+    for (const double curve_mm : {1.0, 3.0, 9.0, 30.0}) {
+        CAPTURE(curve_mm);
+        worst_mm = std::max(worst_mm, outside_mm({.curve_mm = curve_mm}));
+        CHECK(outside_mm({.curve_mm = curve_mm, .page_mm = glm::dvec2(k_width, k_height)}) <=
+              tools::k_max_outside_mm);
+        const tools::PictureRectangle frame{{0.0, -k_height}, {k_width, 0.0}};
+        CHECK(outside_mm({.curve_mm = curve_mm, .frame = frame}) <= tools::k_max_outside_mm);
+    }
+    CHECK(worst_mm > 0.3);
 }
 
 TEST_CASE("lines are divided where their ink changes, forwards and backwards") {
