@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdint>
+#include <cstdio>
 #include <string>
 #include <string_view>
 
+#include "silhouette/printable_text.h"
 #include "tools/options/line_kind_names.h"
 #include "tools/output/drawing_file.h"
 
@@ -23,12 +26,42 @@ std::string layer_name(const PageLine& line) {
     return name;
 }
 
+// R12 has ASCII. AutoCAD reads other characters as \U+XXXX, one for each number of 16 bits in UTF-16, and so do
+// programs that read its files.
+std::string dxf_text(std::string_view text) {
+    const std::string printable = printable_text(text);  // In UTF-8.
+    std::string ascii;
+    const auto add_number = [&](std::uint32_t number) {
+        std::array<char, 16> escape{};
+        std::snprintf(escape.data(), escape.size(), "\\U+%04X", number);
+        ascii += escape.data();
+    };
+    for (std::size_t i = 0; i < printable.size();) {
+        const auto first = static_cast<std::uint8_t>(printable[i++]);
+        if (first < 0x80) {
+            ascii += static_cast<char>(first);
+            continue;
+        }
+        const std::size_t more = first >= 0xf0 ? 3 : first >= 0xe0 ? 2 : 1;
+        std::uint32_t code = first & (0x3fu >> more);
+        for (std::size_t j = 0; j < more; ++j)
+            code = code << 6 | (static_cast<std::uint8_t>(printable[i++]) & 0x3fu);
+        if (code >= 0x10000) {
+            add_number(0xd7c0 + (code >> 10));
+            add_number(0xdc00 + (code & 0x3ffu));
+        } else {
+            add_number(code);
+        }
+    }
+    return ascii;
+}
+
 class DxfWriter {
 public:
     explicit DxfWriter(const PageDrawing& drawing) : drawing_(drawing) {}
 
     std::string write() {
-        add(999, printable_ascii(drawing_.title));
+        add(999, dxf_text(drawing_.title));
         add(999, "All lengths are in mm.");
         begin_section("HEADER");
         add(9, "$ACADVER").add(1, "AC1009");

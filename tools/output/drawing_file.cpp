@@ -28,11 +28,4 @@ void append_decimals(std::string& text, double value, int most_decimals) {
     text += digits == "-0" ? "0" : digits;
 }
 
-std::string printable_ascii(std::string_view text) {
-    std::string printable(text);
-    for (char& c : printable)
-        if (c < ' ' || c > '~') c = '?';
-    return printable;
-}
-
 }  // namespace rimline::tools

@@ -54,7 +54,5 @@ std::string drawing_dxf(const PageDrawing& drawing);
 
 /// Appends the number with a point, whatever the locale, at most this many decimals, and no zeros at its end.
 void append_decimals(std::string& text, double value, int most_decimals = 3);
-/// The text with all characters that are not printable ASCII replaced by `?`.
-std::string printable_ascii(std::string_view text);
 
 }  // namespace rimline::tools

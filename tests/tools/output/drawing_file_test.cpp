@@ -133,6 +133,20 @@ TEST_CASE("lines have the color of their ink, and those without one that of the 
     CHECK(contains(drawing_pdf(drawing), "1 J 0.502 G\n1 48 m\n"));
 }
 
+TEST_CASE("characters of a title beyond ASCII are escaped in a DXF as AutoCAD reads them") {
+    const auto title = [](const std::string& text) {
+        PageDrawing drawing = made_page();
+        drawing.title = text;
+        const std::string file = drawing_dxf(drawing);
+        return file.substr(4, file.find('\n', 4) - 4);
+    };
+    CHECK(title("Lines of a.obj") == "Lines of a.obj");
+    // Of two, three and four bytes.
+    CHECK(title("\xC3\xA4 \xE2\x82\xAC \xF0\x9F\x90\xB4") == R"(\U+00E4 \U+20AC \U+D83D\U+DC34)");
+    // No characters.
+    CHECK(title("a\nb \xFF") == R"(a\x0ab \xff)");
+}
+
 TEST_CASE("a DXF has a layer for each kind of lines that it holds") {
     const std::string text = drawing_dxf(made_page());
     CHECK(contains(text, "LAYER\n2\nVISIBLE_BORDER\n70\n0\n62\n7\n6\nCONTINUOUS\n"));
