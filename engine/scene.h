@@ -101,6 +101,10 @@ struct Light {
     std::optional<float> share;
     /// False: it lights all that turns towards it, as a large soft light does.
     bool casts_shadows = true;
+    /// True: it fills the shadows that the other lights leave, and does not add to their light. Where it shines, a
+    /// surface is at least as light as if only `share` of its full light arrived, at most 1. In Style::hatch its
+    /// strokes are thinner there. Casts no shadows, and comes after all lights that do not fill.
+    bool fills = false;
 
     bool operator==(const Light&) const = default;
 };

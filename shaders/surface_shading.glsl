@@ -4,8 +4,10 @@
 // Surfaces in one style. Each style is its own pipeline, because a CPU device executes both sides of every
 // dynamic branch. The output is the shaded surface (as in shadow), or the light added where the stencil
 // test passes, or both at once for a single light, with the surface in shadow as a second output where it casts
-// shadows. The sum over all lights is the fully lit surface. For light, draw.choice is 1 where the instance casts a
-// shadow: then the face's bit is also used if the light grazes the face (surface_corner.glsl).
+// shadows. The sum over all lights is the fully lit surface. A light that fills (Light::fills) gives the surface in
+// this light alone, and one of both is kept (SurfaceFilling, engine/passes/draw_list.h). For light, draw.choice is 1
+// where the instance casts a shadow: then the face's bit is also used if the light grazes the face
+// (surface_corner.glsl).
 
 #include "draw.glsl"
 #include "hatch.glsl"
@@ -21,6 +23,7 @@ layout(constant_id = 1) const bool k_has_shade = true;
 layout(constant_id = 2) const bool k_has_light = false;
 layout(constant_id = 3) const bool k_fades = false;  // The instance's fade_radius is > 0.
 layout(constant_id = 4) const bool k_is_layer = false;  // Alpha is opacity, color premultiplied.
+layout(constant_id = 5) const bool k_fills = false;
 
 // The share of the light that a style shows at this cosine. It is 0 up to a positive cosine, so that the
 // facets at a shadow boundary are in the dark part already.
@@ -60,7 +63,8 @@ Shading shading_of(vec3 lit) {
         const vec3 to_light = normalize(light_point.xyz - light_point.w * position);
         // A surface that fades into the background is the background, with shadows on it.
         const float amount = k_fades ? 1.0 : reached ? tone(dot(n, to_light)) : 0.0;
-        added.rgb = (shown(lit, amount, n) - shaded) * light.color;
+        if (k_fills) added.rgb = shown(lit, amount * light.color.x, n);
+        else added.rgb = (shown(lit, amount, n) - shaded) * light.color;
     }
     if (k_fades) {
         const float away = distance(position, instance.fade_center);

@@ -282,7 +282,8 @@ private:
                             .extrusion = 0.0f};
         if (scene_.camera.is_orthographic())
             data.extrusion = finite_extrusion(scene_.lights[l], instance, view_.bounds);
-        DrawnLight light{.casts_shadow = casts_shadows(scene_, instance, scene_.lights[l])};
+        DrawnLight light{.casts_shadow = casts_shadows(scene_, instance, scene_.lights[l]),
+                         .fills = scene_.lights[l].fills};
         if (light.casts_shadow) {
             choose_volume(i, l, caster, data, light);
             add_volume(i, l, drawn, data, light);

@@ -1,5 +1,6 @@
 #include "engine/frame/scene_check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -77,6 +78,7 @@ void check_light(const Light& light) noexcept {
     RIMLINE_CHECK(is_place(light.vector));
     RIMLINE_CHECK(!light.directional || glm::length(light.vector) > 0.0);
     RIMLINE_CHECK(!light.share || (*light.share > 0.0f && std::isfinite(*light.share)));
+    RIMLINE_CHECK(!light.fills || (!light.casts_shadows && light.share.value_or(1.0f) <= 1.0f));
 }
 
 }  // namespace
@@ -86,6 +88,7 @@ void check_scene(const Scene& scene) noexcept {
     if (scene.silhouette_camera) check_camera(*scene.silhouette_camera);
     for (const SceneInstance& instance : scene.instances) check_instance(instance);
     for (const Light& light : scene.lights) check_light(light);
+    RIMLINE_CHECK(std::ranges::is_sorted(scene.lights, {}, &Light::fills));
     const Palette& palette = scene.palette;
     RIMLINE_CHECK(is_color(palette.background) && is_color(palette.ink));
     RIMLINE_CHECK(is_color(palette.shade) && is_color(palette.grid));

@@ -115,6 +115,19 @@ FrameSurfaces frame_surfaces(const Scene& scene, const PictureTarget& target,
     return surfaces;
 }
 
+namespace {
+
+// Whether strokes of Style::hatch are lighter than the surface.
+bool has_light_strokes(const Scene& scene, const SceneInstance& instance, SurfaceColors colors) {
+    if (scene.style != Style::hatch) return false;
+    const bool is_plain = colors == SurfaceColors::one;
+    const glm::vec3 surface = is_plain ? instance.material.color : scene.palette.background;
+    const glm::vec3& ink = line_color(scene, instance);
+    return ink.x + ink.y + ink.z > surface.x + surface.y + surface.z;
+}
+
+}  // namespace
+
 SurfaceKind surface_kind(const Scene& scene, const FrameSurfaces& surfaces,
                          const SceneInstance& instance) {
     SurfaceKind kind{.fades = instance.fade_radius > 0.0, .lights = surfaces.lights};
@@ -130,6 +143,12 @@ SurfaceKind surface_kind(const Scene& scene, const FrameSurfaces& surfaces,
     kind.shades_vertices = kind.lights == SurfaceLights::apart &&
                            kind.style != RIMLINE_STYLE_HATCH && kind.colors == SurfaceColors::one &&
                            instance.mesh().vertex_count() <= k_max_indexed_vertices;
+    // What fades is lit by casters of shadows alone.
+    if (kind.lights == SurfaceLights::apart && kind.output != SurfaceOutput::held_out &&
+        !kind.fades && std::ranges::any_of(scene.lights, &Light::fills)) {
+        kind.filling = has_light_strokes(scene, instance, kind.colors) ? SurfaceFilling::darker
+                                                                       : SurfaceFilling::lighter;
+    }
     return kind;
 }
 

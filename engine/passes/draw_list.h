@@ -52,6 +52,14 @@ enum class SurfaceLights {
     apart,  ///< Each in a draw of its own, after the surface in shadow.
 };
 
+/// What lights that fill (Light::fills) keep of the surface in the other lights and of that in theirs. Only with lights
+/// apart.
+enum class SurfaceFilling {
+    none,     ///< No light fills.
+    lighter,  ///< The lighter one.
+    darker,   ///< The darker one: light takes away strokes, which are lighter than the surface.
+};
+
 /// Surfaces that the same pipelines draw.
 struct SurfaceKind {
     std::uint32_t style = RIMLINE_STYLE_INK;  ///< A RIMLINE_STYLE_ value.
@@ -61,6 +69,7 @@ struct SurfaceKind {
     SurfaceLights lights = SurfaceLights::apart;
     /// The surface in shadow is computed once for each vertex, not for each corner of a face. Only with lights apart.
     bool shades_vertices = false;
+    SurfaceFilling filling = SurfaceFilling::none;
     auto operator<=>(const SurfaceKind&) const = default;
 };
 
@@ -68,6 +77,7 @@ struct SurfaceKind {
 struct DrawnLight {
     std::uint32_t data = 0;  ///< Offset of its gpu::LightData in DrawData.
     bool casts_shadow = false;
+    bool fills = false;                        ///< Light::fills.
     bool ends_in_one_point = false;            ///< ShadowChoice::ends_in_one_point.
     bool clamps_depth = false;                 ///< Its volumes are not clipped at the near plane.
     IndirectDraw sides;                        ///< Draws its silhouette slots; only for casters.

@@ -55,9 +55,13 @@ void SurfacePass::prepare(const DeviceContext& context, const SurfaceKind& kind)
     AttachmentFormats formats = formats_;
     if (is_beside_shadow) formats.color_count = 2;
     const StencilUse lit = is_held_out ? StencilUse::not_zero : StencilUse::zero;
-    const auto make = [&](bool has_shade, bool has_light, SpirvCode vertex) {
-        const std::array<std::uint32_t, 5> constants{kind.style, has_shade, has_light, kind.fades,
-                                                     kind.output == SurfaceOutput::layer};
+    const auto make = [&](bool has_shade, bool has_light, SpirvCode vertex, bool fills = false) {
+        const std::array<std::uint32_t, 6> constants{
+            kind.style, has_shade, has_light, kind.fades, kind.output == SurfaceOutput::layer,
+            fills};
+        const Blend filled =
+            kind.filling == SurfaceFilling::darker ? Blend::darker : Blend::lighter;
+        const Blend added = fills ? filled : Blend::add;
         return make_graphics_pipeline(
             context,
             has_shade && has_light ? "surfaces, whole"
@@ -68,7 +72,7 @@ void SurfacePass::prepare(const DeviceContext& context, const SurfaceKind& kind)
              .fragment = shading,
              .fragment_constants = constants,
              .formats = formats,
-             .blend = has_shade ? Blend::replace : Blend::add,
+             .blend = has_shade ? Blend::replace : added,
              .depth_compare = has_shade ? VK_COMPARE_OP_GREATER : VK_COMPARE_OP_EQUAL,
              .depth_write = has_shade,
              .stencil = has_shade ? StencilUse::off : lit,
@@ -79,6 +83,8 @@ void SurfacePass::prepare(const DeviceContext& context, const SurfaceKind& kind)
     if (kind.lights == SurfaceLights::apart) {
         pipelines.unlit = make(true, false, kind.shades_vertices ? surface_unlit_vert : corners);
         pipelines.lit = make(false, true, corners);
+        if (kind.filling != SurfaceFilling::none)
+            pipelines.filled = make(false, true, corners, true);
     } else {
         pipelines.whole = make(true, true, corners);
     }
@@ -107,8 +113,10 @@ void SurfacePass::draw_corners(Commands commands, const DrawList& list,
 void SurfacePass::record(Commands commands, const DrawList& list,
                          OwnedPipeline Pipelines::*pipeline, std::size_t light) const {
     for (const DrawnInstance& instance : list.instances) {
-        bind(commands, pipelines_.at(instance.surface).*pipeline, instance);
         const DrawnLight& drawn = instance.lights[light];
+        const bool fills = drawn.fills && instance.surface.filling != SurfaceFilling::none;
+        bind(commands, pipelines_.at(instance.surface).*(fills ? &Pipelines::filled : pipeline),
+             instance);
         set_draw(commands, layout_, list, instance, &drawn, drawn.casts_shadow ? 1 : 0);
         draw_corners(commands, list, instance);
     }

@@ -34,13 +34,14 @@ public:
     /// everywhere. With SurfaceLights::beside_shadow the second color is what record_unlit() writes.
     void record_whole(Commands commands, const DrawList& list) const;
     /// Where the depth equals that of record_unlit(): adds light `light` where the stencil is zero. For surfaces
-    /// that are held out, adds opacity where it is not, if there are shadows.
+    /// that are held out, adds opacity where it is not, if there are shadows. For a light that fills, see
+    /// SurfaceFilling.
     void record_lit(Commands commands, const DrawList& list, std::size_t light) const;
 
 private:
-    // Of one kind: the first two where lights are apart, else the last.
+    // Of one kind: the first two where lights are apart, and the third if some fill; else the last.
     struct Pipelines {
-        OwnedPipeline unlit, lit, whole;
+        OwnedPipeline unlit, lit, filled, whole;
     };
 
     void record(Commands commands, const DrawList& list, OwnedPipeline Pipelines::*pipeline,

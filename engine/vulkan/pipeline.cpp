@@ -45,6 +45,11 @@ VkPipelineColorBlendAttachmentState blend_state(Blend blend) {
     switch (blend) {
         case Blend::replace: state.blendEnable = VK_FALSE; break;
         case Blend::add: break;
+        case Blend::lighter:
+        case Blend::darker:
+            state.colorBlendOp = blend == Blend::lighter ? VK_BLEND_OP_MAX : VK_BLEND_OP_MIN;
+            state.alphaBlendOp = VK_BLEND_OP_MAX;
+            break;
         case Blend::over:
             state.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
             state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;

@@ -29,6 +29,8 @@ OwnedPipeline make_compute_pipeline(const DeviceContext& context, const std::str
 enum class Blend {
     replace,
     add,
+    lighter,         ///< Each channel of color and alpha keeps its maximum.
+    darker,          ///< Each channel of color keeps its minimum, and alpha its maximum.
     over,            ///< By the source's alpha; the target's alpha does not change.
     maximum_alpha,   ///< Alpha keeps its maximum; color does not change.
     over_by_target,  ///< By the target's alpha, which becomes zero.

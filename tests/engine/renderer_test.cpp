@@ -422,6 +422,46 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("a light that fills makes shadows lighter and changes nothing that is lit") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Mesh mesh(make_built_in_shape("knot", 4000));
+    const HoughOctree octree(mesh);
+    Renderer renderer(gpu->context());
+    for (const Style style : {Style::ink, Style::toon, Style::hatch, Style::blueprint}) {
+        for (const bool has_background : {true, false}) {
+            Scene scene = scene_of(mesh, octree, style);
+            scene.has_background = has_background;
+            scene.lines = false;
+            scene.lights = {{.vector = {1.0, 1.0, 0.3}, .share = 1.0f}};
+            const Picture alone = renderer.render(scene, 128, 128);
+            std::array<int, 3> lightest{};
+            for (std::size_t i = 0; i < alone.rgba.size(); ++i)
+                if (i % 4 < 3) lightest[i % 4] = std::max(lightest[i % 4], int{alone.rgba[i]});
+            for (const glm::dvec3 towards : {glm::dvec3(-1.0, 0.2, 0.4), glm::dvec3(1.0, 1.0, 0.3)})
+                scene.lights.push_back(
+                    {.vector = towards, .share = 0.6f, .casts_shadows = false, .fills = true});
+            const Picture filled = renderer.render(scene, 128, 128);
+            std::size_t darker = 0, too_light = 0, lighter = 0, other_alpha = 0;
+            for (std::size_t i = 0; i < alone.rgba.size(); ++i) {
+                const int before = alone.rgba[i], after = filled.rgba[i];
+                if (i % 4 == 3) {
+                    other_alpha += after != before ? 1 : 0;
+                    continue;
+                }
+                darker += after < before - 1 ? 1 : 0;
+                too_light += after > lightest[i % 4] + 1 ? 1 : 0;
+                lighter += after > before + 1 ? 1 : 0;
+            }
+            CAPTURE(int(style));
+            CAPTURE(has_background);
+            CHECK(darker == 0);
+            CHECK(too_light == 0);
+            CHECK(lighter > 500);
+            CHECK(other_alpha == 0);
+        }
+    }
+}
+
 // From an 8-bit value to the next in linear light.
 double one_step(std::uint8_t value) {
     const int lower = std::min(int{value}, 254);

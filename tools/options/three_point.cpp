@@ -9,16 +9,17 @@ namespace rimline::tools {
 
 namespace {
 
-// Where key and fill both shine, surfaces have their color. The rim comes on top.
-constexpr float k_key_share = 0.72f, k_fill_share = 0.28f, k_rim_share = 0.3f;
+// In the key light surfaces have their color. The others make its shadows lighter, so that no tone leaves the range
+// of its style.
+constexpr float k_fill_share = 0.3f, k_rim_share = 0.5f;
 
 }  // namespace
 
 void add_fill_and_rim(Scene& scene) {
     RIMLINE_CHECK(!scene.lights.empty() && scene.lights.back().directional);
-    scene.lights.back().share = k_key_share;
-    scene.lights.push_back({.share = k_fill_share, .casts_shadows = false});
-    scene.lights.push_back({.share = k_rim_share, .casts_shadows = false});
+    scene.lights.back().share = 1.0f;
+    scene.lights.push_back({.share = k_fill_share, .casts_shadows = false, .fills = true});
+    scene.lights.push_back({.share = k_rim_share, .casts_shadows = false, .fills = true});
     move_fill_and_rim(scene);
 }
 

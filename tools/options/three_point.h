@@ -1,8 +1,8 @@
 #pragma once
 
 // Three-point lighting: the key light is a sun, the last one of the scene. A fill light from the camera's other
-// side brightens its shadows, and a rim light from behind and above brightens the edges. Both are large soft
-// lights: they cast no shadows.
+// side brightens its shadows, and a rim light from behind and above brightens their edges. Both are large soft
+// lights: they cast no shadows, and add nothing where the key light shines (Light::fills).
 
 #include "engine/scene.h"
 

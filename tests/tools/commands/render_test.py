@@ -85,6 +85,30 @@ def test_three_point_lighting_brightens_what_is_dark():
         fail(2, *draw, "--lighting", "studio")
 
 
+def test_three_point_lighting_keeps_the_tones_of_its_style():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "a.png")
+        for style in ("ink", "toon", "hatch", "blueprint"):
+            draw = ("render", "shape:knot", "--style", style, "--lines", "off", "--size", "160x120", "-o", output)
+            succeed(*draw)
+            one = [pixel for row in png_rows(output) for pixel in row]
+            succeed(*draw, "--lighting", "three-point")
+            three = [pixel for row in png_rows(output) for pixel in row]
+            lightest = [max(pixel[channel] for pixel in one) for channel in range(3)]
+            assert any(sum(b) > sum(a) + 5 for a, b in zip(one, three)), style
+            for a, b in zip(one, three):
+                assert all(a[i] - 1 <= b[i] <= lightest[i] + 1 for i in range(3)), (style, a, b, lightest)
+        # Light strokes on dark paper: light takes them away.
+        draw = ("render", "shape:knot", "--style", "hatch", "--background", "#101018", "--line-color", "white", "--lines", "off",
+                "--size", "160x120", "-o", output)
+        succeed(*draw)
+        one = [sum(pixel) for row in png_rows(output) for pixel in row]
+        succeed(*draw, "--lighting", "three-point")
+        three = [sum(pixel) for row in png_rows(output) for pixel in row]
+        assert all(b <= a + 3 for a, b in zip(one, three)) and sum(three) < 0.98 * sum(one)
+
+
 def test_render_lights_real_models_from_all_sides():
     have_device()
     models = [model(name) for name in ("horse.ply", "stanford-bunny.obj", "rocker-arm.obj", "ogre.obj")]
