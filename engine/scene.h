@@ -32,7 +32,7 @@ struct Material {
     /// Color of its lines, and of the strokes that shade it in Style::hatch; default: the palette's ink.
     /// Each further color of lines in a scene costs one draw over the whole picture.
     std::optional<glm::vec3> line_color;
-    /// Whether each line has a dark shade of the material of its face instead
+    /// Whether each line, and each stroke in Style::hatch, has a dark shade of the material of its face instead
     /// (silhouette/mesh/material_inks.h), or a pale one where the palette's ink is lighter than its background.
     /// In the styles that show colors. Lines of faces without a material have the color above, and all lines by
     /// a path that tests every edge (line_path.h). At most k_max_material_inks colors. Not for

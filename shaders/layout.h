@@ -181,6 +181,15 @@ struct FrameData {
 // and an eighth for rounding.
 #define RIMLINE_INK_REACH 0.8321
 
+// InstanceData.stroke_inks: the color of strokes on surfaces in the colors of their mesh.
+#define RIMLINE_STROKES_OWN 0u  // InstanceData.ink
+#define RIMLINE_STROKES_DARK \
+    1u  // line_shade() of the surface's color (silhouette/mesh/material_inks.h).
+#define RIMLINE_STROKES_PALE 2u  // The same on dark paper.
+
+// A bit of what the vertex shaders of surfaces say of a face (surface_corner.glsl): it has no material.
+#define RIMLINE_UNPAINTED 4u
+
 // Inks of lines (DrawConstants.material_ink) beside those of materials.
 #define RIMLINE_ANY_INK 0xffffffffu
 #define RIMLINE_OWN_INK 0xfffffffeu  // Of faces without a material.
@@ -222,6 +231,7 @@ struct InstanceData {
     float fade_radius;
     vec3 fade_center;  // ... this point.
     uint has_corner_colors;
+    uint stroke_inks;  // A RIMLINE_STROKES_ value.
 };
 
 // One per pair of instance and light.
@@ -276,8 +286,7 @@ static_assert(sizeof(EdgeRecord) == 16 && sizeof(FacePairRecord) == 28 &&
               sizeof(PlacedWrite) == 8 && sizeof(TriangleRecord) == 12);
 static_assert(sizeof(SlotArguments) == 64);
 static_assert(sizeof(FrameData) == 4 * 27);
-// Its addresses align it to 8 bytes: the last 4 are unused.
-static_assert(sizeof(InstanceData) == 18 * 8 + 4 * (9 + 1 + 3 + 4 + 3 + 3 + 3 + 1 + 3 + 1) + 4);
+static_assert(sizeof(InstanceData) == 18 * 8 + 4 * (9 + 1 + 3 + 4 + 3 + 3 + 3 + 1 + 3 + 1 + 1));
 static_assert(sizeof(LightData) == 4 * 8 + 4 * 8);
 static_assert(sizeof(DrawConstants) == 8 && sizeof(SobelConstants) == 28);
 }  // namespace rimline::gpu

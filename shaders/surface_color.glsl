@@ -5,6 +5,10 @@
 
 #include "draw.glsl"
 
+uint unpainted(uint number) {
+    return instance.face_materials.at[number / 3u] == k_no_material ? RIMLINE_UNPAINTED : 0u;
+}
+
 vec3 color_of_corner(uint number) {
     const uint material = instance.face_materials.at[number / 3u];
     if (material == k_no_material) return instance.color;

@@ -9,5 +9,6 @@ layout(location = 3) out vec3 surface_color;
 
 void main() {
     write_corner(gl_VertexIndex);
+    grazed_side |= unpainted(gl_VertexIndex);
     surface_color = color_of_corner(gl_VertexIndex);
 }

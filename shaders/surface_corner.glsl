@@ -12,6 +12,7 @@ layout(location = 1) out vec3 normal;
 // the other side is in its own shadow. The stencil is unreliable here, because the sides of the face's
 // own volume lie in the surface and rounding decides which is in front. Otherwise 0: then the stencil
 // is more reliable, because at a silhouette the hidden back of a surface can win a pixel at its edge.
+// Shaders of colored meshes add RIMLINE_UNPAINTED for a face without a material.
 layout(location = 2) flat out uint grazed_side;
 
 const float k_grazing = 1e-3;  // Sine of the angle between light and face.

@@ -36,12 +36,21 @@ float tone(float cosine) {
     return 0.55 * smoothstep(0.14, 0.17, cosine) + 0.45 * smoothstep(0.52, 0.56, cosine);
 }
 
+// As line_shade() (silhouette/mesh/material_inks.h).
+vec3 stroke_ink(vec3 lit) {
+    if (instance.stroke_inks == RIMLINE_STROKES_OWN || (grazed_side & RIMLINE_UNPAINTED) != 0u)
+        return instance.ink;
+    if (instance.stroke_inks == RIMLINE_STROKES_PALE) return mix(lit, vec3(1.0), 0.5);
+    const float luminance = dot(lit, vec3(0.2126, 0.7152, 0.0722));
+    return lit * min(0.25, 0.05 / max(luminance, 0.05));
+}
+
 // The color of a surface that is `lit` in full light, if a share `amount` of the light arrives.
 vec3 shown(vec3 lit, float amount, vec3 facing_normal) {
     const vec3 shade = frame.shade;
     if (k_style != RIMLINE_STYLE_HATCH) return lit * mix(shade, vec3(1.0), amount);
     const float density = (1.0 - dot(shade, vec3(1.0 / 3.0))) * (1.0 - amount);
-    return mix(lit, instance.ink, hatch_ink(position, facing_normal, density));
+    return mix(lit, stroke_ink(lit), hatch_ink(position, facing_normal, density));
 }
 
 // What the outputs add up to: a surface that is `lit` in full light, in the shadow of all lights, and the light.
@@ -58,7 +67,8 @@ Shading shading_of(vec3 lit) {
     vec4 shade = vec4(k_has_shade ? shaded : vec3(0.0), k_is_layer && k_has_shade ? 1.0 : 0.0);
     vec4 added = vec4(0.0);
     if (k_has_light) {
-        const bool reached = grazed_side == 0u || (grazed_side == 1u) == gl_FrontFacing;
+        const uint lit_side = grazed_side & 3u;
+        const bool reached = lit_side == 0u || (lit_side == 1u) == gl_FrontFacing;
         const vec4 light_point = light.point;
         const vec3 to_light = normalize(light_point.xyz - light_point.w * position);
         // A surface that fades into the background is the background, with shadows on it.

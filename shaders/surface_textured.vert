@@ -13,6 +13,7 @@ void main() {
     const uint number =
         3u * instance.textured_faces.at[gl_VertexIndex / 3u] + gl_VertexIndex % 3u;
     write_corner(number);
+    grazed_side |= unpainted(number);
     surface_color = color_of_corner(number);
     uv = instance.corner_uvs.at[number];
     center_uv = uv;

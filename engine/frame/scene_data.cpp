@@ -121,6 +121,7 @@ namespace {
 bool has_light_strokes(const Scene& scene, const SceneInstance& instance, SurfaceColors colors) {
     if (scene.style != Style::hatch) return false;
     const bool is_plain = colors == SurfaceColors::one;
+    if (!is_plain && instance.material.lines_in_mesh_colors) return scene.palette.has_light_ink();
     const glm::vec3 surface = is_plain ? instance.material.color : scene.palette.background;
     const glm::vec3& ink = line_color(scene, instance);
     return ink.x + ink.y + ink.z > surface.x + surface.y + surface.z;
@@ -208,6 +209,15 @@ gpu::FrameData frame_data(const FrameView& view, const RenderTargets& targets) {
             .guard = targets.guard()};
 }
 
+namespace {
+
+std::uint32_t stroke_inks(const Scene& scene, const SceneInstance& instance, bool has_colors) {
+    if (!has_colors || !instance.material.lines_in_mesh_colors) return RIMLINE_STROKES_OWN;
+    return scene.palette.has_light_ink() ? RIMLINE_STROKES_PALE : RIMLINE_STROKES_DARK;
+}
+
+}  // namespace
+
 gpu::InstanceData instance_data(const FrameView& view, std::size_t i, const GpuMesh& mesh,
                                 VkDeviceAddress slots) {
     const SceneInstance& instance = view.scene.instances[i];
@@ -250,7 +260,8 @@ gpu::InstanceData instance_data(const FrameView& view, std::size_t i, const GpuM
             .ink = line_color(view.scene, instance),
             .fade_radius = float(instance.fade_radius / instance.scale),
             .fade_center = glm::vec3(point_in_object(instance, instance.fade_center)),
-            .has_corner_colors = colors && colors->has_corner_colors() ? 1u : 0u};
+            .has_corner_colors = colors && colors->has_corner_colors() ? 1u : 0u,
+            .stroke_inks = stroke_inks(view.scene, instance, colors != nullptr)};
 }
 
 }  // namespace rimline

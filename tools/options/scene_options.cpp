@@ -33,8 +33,8 @@ void SceneOptions::add_to(CLI::App& app) {
         ->capture_default_str()
         ->group(k_group);
     add_color_or(app, "--line-color", line_color, "material", has_material_lines,
-                 "Color of lines (default: the style's own). material: in ink, toon and hatch, a "
-                 "dark shade of the colors of the model's file")
+                 "Color of lines, and of strokes in hatch (default: the style's own). material: in "
+                 "ink, toon and hatch, a dark shade of the colors of the model's file")
         ->group(k_group);
     app.add_option("--lines", lines,
                    "Draw silhouettes and borders (default: on; off in the style mask)")

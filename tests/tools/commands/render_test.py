@@ -109,6 +109,32 @@ def test_three_point_lighting_keeps_the_tones_of_its_style():
         assert all(b <= a + 3 for a, b in zip(one, three)) and sum(three) < 0.98 * sum(one)
 
 
+def test_hatch_strokes_have_the_colors_of_the_lines():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        path, output = os.path.join(folder, "a.obj"), os.path.join(folder, "a.png")
+        with open(os.path.join(folder, "a.mtl"), "w") as file:
+            file.write("newmtl red\nKd 0.9 0.1 0.1\n")
+        with open(path, "w") as file:  # A painted square beside one without a material.
+            file.write("mtllib a.mtl\n" + "".join(f"v {x} {y} 0\n" for y in (0, 1) for x in (0, 1, 1.1, 2.1)))
+            file.write("f 3 4 8 7\nusemtl red\nf 1 2 6 5\n")
+        draw = ("render", path, "--style", "hatch", "--eye", "front", "--up", "y", "--sun", "1,0,0.1", "--lines", "off",
+                "--size", "160x80", "-o", output)
+
+        def strokes(*options):
+            succeed(*draw, *options)
+            rows = list(png_rows(output))[20:60]
+            darkest = lambda pixels: min(pixels, key=sum)
+            return darkest([p for row in rows for p in row[20:70]]), darkest([p for row in rows for p in row[90:140]])
+
+        own, own_beside = strokes()
+        assert max(own) - min(own) < 40 and own == own_beside, (own, own_beside)
+        red, beside = strokes("--line-color", "material")
+        assert red[0] > 2 * max(red[1:3]) and beside == own_beside, (red, beside)
+        blue, blue_beside = strokes("--line-color", "navy")
+        assert blue[2] > 2 * max(blue[:2]) and blue == blue_beside, (blue, blue_beside)
+
+
 def test_render_lights_real_models_from_all_sides():
     have_device()
     models = [model(name) for name in ("horse.ply", "stanford-bunny.obj", "rocker-arm.obj", "ogre.obj")]
