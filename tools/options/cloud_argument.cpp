@@ -18,7 +18,8 @@ void CloudArgument::add_to(CLI::App& app) {
                check_model_name(text, "CLOUD");
                model = text;
            },
-           "File of points (PLY, OBJ, XYZ, PTS), or - for standard input; with --as-points, any "
+           "File of points (PLY, OBJ, XYZ, PTS, CSV), or - for standard input; with --as-points, "
+           "any "
            "model")
         ->type_name("")
         ->required();

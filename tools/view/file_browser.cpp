@@ -13,8 +13,8 @@ namespace rimline::tools {
 
 namespace {
 
-constexpr std::array<std::string_view, 10> k_endings{".ply", ".obj", ".stl", ".off", ".gltf",
-                                                     ".glb", ".xyz", ".pts", ".txt", ".json"};
+constexpr std::array<std::string_view, 11> k_endings{
+    ".ply", ".obj", ".stl", ".off", ".gltf", ".glb", ".xyz", ".pts", ".csv", ".txt", ".json"};
 
 bool is_model_name(const std::filesystem::path& path) {
     std::string ending = path.extension().string();

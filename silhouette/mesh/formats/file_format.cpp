@@ -39,6 +39,10 @@ bool is_off_word(std::string_view word) {
     return word.starts_with("OFF") && (word.size() == 3 || parse_integer(word.substr(3)));
 }
 
+bool is_point_text_name(std::string_view extension) {
+    return extension == ".xyz" || extension == ".pts" || extension == ".csv";
+}
+
 // Decides by content, then by name. The name is needed for a truncated binary STL, an OFF that begins with
 // its counts, which looks like a point, and an OBJ that begins with an unusual statement. Binary STL is
 // tested first, because its 80 header bytes may look like any format or a byte order mark.
@@ -67,10 +71,12 @@ FileFormat format_of(const SourceFile& file, const std::string& extension) {
     if (extension == ".gltf") return FileFormat::gltf;
     if (extension == ".ply") bad_byte(file.name, 0, "a PLY file begins with a line 'ply'");
     if (extension == ".glb") bad_byte(file.name, 0, "a GLB file begins with 'glTF'");
-    const bool is_named_text = extension == ".xyz" || extension == ".pts";
-    if (is_named_text || (is_text && parse_double(word))) return FileFormat::point_text;
-    bad_byte(file.name, 0,
-             "the format is not known; it should be OBJ, PLY, STL, OFF, glTF, GLB, XYZ or PTS");
+    if (is_point_text_name(extension) ||
+        (is_text && parse_double(word.substr(0, word.find_first_of(",;")))))
+        return FileFormat::point_text;
+    bad_byte(
+        file.name, 0,
+        "the format is not known; it should be OBJ, PLY, STL, OFF, glTF, GLB, XYZ, PTS or CSV");
 }
 
 std::string_view extension_of(FileFormat format) {
@@ -105,7 +111,7 @@ KnownFile::KnownFile(SourceFile source, const std::string& extension)
 KnownFile known_bytes(const std::string& name, std::string bytes, const std::string& extension) {
     KnownFile known(SourceFile{name, std::move(bytes), {}, 0}, extension);
     const std::string_view found = extension_of(known.format);
-    if (!extension.empty() && found != (extension == ".pts" ? ".xyz" : extension))
+    if (!extension.empty() && found != (is_point_text_name(extension) ? ".xyz" : extension))
         bad_file(name,
                  "its content is " + std::string(found.substr(1)) + ", not " + extension.substr(1));
     return known;

@@ -23,7 +23,8 @@ struct KnownFile {
     FileFormat format;
 };
 
-/// Bytes that must have the format of `extension`; else Error{bad_input}. ".xyz" and ".pts" are one format.
+/// Bytes that must have the format of `extension`; else Error{bad_input}. ".xyz", ".pts" and ".csv" are one
+/// format.
 KnownFile known_bytes(const std::string& name, std::string bytes, const std::string& extension);
 
 }  // namespace rimline

@@ -276,7 +276,7 @@ private:
         if (index == 0) bad_line(file_.name, line, "index 0 in OBJ, where numbering begins at 1");
         bad_line(file_.name, line,
                  "index " + std::to_string(index) + " is out of range; there are " +
-                     std::to_string(kind.count) + " of " + kind.name +
+                     std::to_string(kind.count) + " " + kind.name +
                      (index < 0 ? " before this line" : ""));
     }
 
@@ -297,9 +297,9 @@ private:
     std::map<std::string, std::size_t, std::less<>> name_numbers_;  // Of material_names.
     std::int64_t uv_ = 0;  // The number of the last reference's texture coordinates, or 0.
     bool normals_are_points_ = true;  // Every normal index equals its corner's vertex index.
-    Numbered vertices_{"the vertices", "a vertex's coordinate"};
-    Numbered textures_{"the texture coordinates", "a texture coordinate"};
-    Numbered normals_{"the normals", "a normal's component"};
+    Numbered vertices_{"vertices", "a vertex's coordinate"};
+    Numbered textures_{"texture coordinates", "a texture coordinate"};
+    Numbered normals_{"normals", "a normal's component"};
 };
 
 }  // namespace

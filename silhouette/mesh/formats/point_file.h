@@ -9,11 +9,13 @@
 //   OBJ   `v x y z [r g b]`, with colors in [0, 1], or in [0, 255] if one is above 1. `vn` are normals
 //         of corners. They are used as normals of the points if there are as many as vertices and every
 //         face corner has equal vertex and normal indices. Otherwise they are ignored.
-//   XYZ   One point per line: numbers separated by blanks, equally many in every line. Lines that begin
-//         with # or // are comments. The first three numbers are x y z. With 4, 7 or 10 numbers, the
+//   XYZ   One point per line: numbers separated by blanks, or by commas or semicolons, equally many in every
+//         line. Decimals begin with a point. Lines that begin with # or // are comments. A first line may name the
+//         columns; then the first three are x, y and z. The first three numbers are x y z. With 4, 7 or 10 numbers, the
 //         fourth is an intensity. The remaining numbers are triples. The first triple of columns whose
 //         values all have length 1 (within 1%) or 0 is the normal. The first triple of integers from 0
 //         to 255 is the color. Other columns are skipped.
+//   CSV   The same.
 //   PTS   The same, after a line that holds only the number of points. This may repeat.
 //
 // Points are numbered as in the file, from 0, as in mesh_file.h.
@@ -31,7 +33,8 @@ namespace rimline {
 PointSource read_point_file(const std::filesystem::path& path, BadPoints bad = BadPoints::refuse,
                             const LongCall& call = {});
 
-/// The same for the bytes of a file, as read_mesh_bytes() takes them. `extension` may be ".xyz" or ".pts", too.
+/// The same for the bytes of a file, as read_mesh_bytes() takes them. `extension` may be ".xyz",
+/// ".csv" or ".pts", too.
 PointSource read_point_bytes(std::string name, std::string bytes, const std::string& extension,
                              BadPoints bad = BadPoints::refuse, const LongCall& call = {});
 

@@ -1,4 +1,4 @@
-// XYZ and PTS: one point per line. point_file.h describes the columns.
+// XYZ, PTS and CSV: one point per line. point_file.h describes the columns.
 
 #include <array>
 #include <cmath>
@@ -16,6 +16,36 @@ namespace {
 
 constexpr std::size_t k_max_columns = 64;
 constexpr float k_unit_tolerance = 0.01f;
+constexpr std::string_view k_blanks = " \t";
+
+char separator_of(std::string_view line) {
+    for (const char separator : {';', ','})
+        if (line.find(separator) != std::string_view::npos) return separator;
+    return ' ';
+}
+
+// Takes the next column off a line. Columns stand between blanks, or between other separators, which may have blanks
+// around them; the last one may be followed by a separator.
+std::string_view take_column(std::string_view& line, char separator) {
+    line.remove_prefix(std::min(line.find_first_not_of(k_blanks), line.size()));
+    const std::size_t end = std::min(
+        separator == ' ' ? line.find_first_of(k_blanks) : line.find(separator), line.size());
+    std::string_view column = line.substr(0, end);
+    line.remove_prefix(separator == ' ' ? end : std::min(end + 1, line.size()));
+    return column.substr(0, column.find_last_not_of(k_blanks) + 1);
+}
+
+// Whether the first three columns are named x, y and z.
+bool is_header(std::string_view line) {
+    const char separator = separator_of(line);
+    for (const std::string_view name : {"x", "y", "z"}) {
+        std::string_view column = take_column(line, separator);
+        if (column.size() > 2 && column.front() == '"' && column.back() == '"')
+            column = column.substr(1, column.size() - 2);
+        if (!equals_ignoring_case(column, name)) return false;
+    }
+    return true;
+}
 
 bool is_zero(const glm::vec3& v) { return v == glm::vec3(0.0f); }
 
@@ -60,18 +90,24 @@ public:
     }
 
 private:
-    // Returns false for a comment. A # within a line does not begin a comment, because old
-    // exporters write NaN as -1.#IND.
+    // Returns false for a comment, and for the names of columns before the first point. A # within a line does not
+    // begin a comment, because old exporters write NaN as -1.#IND.
     bool read_numbers() {
-        count_ = 0;
-        for (std::string_view t = scanner_.token(); !t.empty(); t = scanner_.token()) {
+        std::string_view line = scanner_.free_text();
+        if (line.starts_with('#') || line.starts_with("//")) return false;
+        if (records_.source.positions.empty() && !expected_ && is_header(line)) return false;
+        const char separator = separator_.value_or(separator_of(line));
+        for (count_ = 0; !line.empty();) {
             if (count_ == k_max_columns)
                 scanner_.fail("a point with more than " + std::to_string(k_max_columns) +
                               " numbers");
-            if (count_ == 0 && (t.starts_with('#') || t.starts_with("//"))) return false;
-            if (count_ == 0) first_token_ = t;
-            numbers_[count_++] = scanner_.number(t, "a point's number");
+            const std::string_view column = take_column(line, separator);
+            if (count_ == 0) first_token_ = column;
+            if (column.empty())
+                scanner_.fail("nothing between two separators; a point's number should stand here");
+            numbers_[count_++] = scanner_.number(column, "a point's number");
         }
+        if (count_ > 1) separator_ = separator;
         return true;
     }
 
@@ -139,7 +175,8 @@ private:
     TextScanner scanner_;
     PointRecords records_;
     std::array<double, k_max_columns> numbers_{};
-    std::size_t count_ = 0;  // Numbers in the current line.
+    std::size_t count_ = 0;          // Numbers in the current line.
+    std::optional<char> separator_;  // Of the first line with several.
     std::string_view first_token_;
     std::size_t columns_ = 0;  // Numbers per point.
     std::size_t first_triple_ = 0;

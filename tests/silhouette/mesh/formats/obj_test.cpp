@@ -117,7 +117,7 @@ TEST_CASE("OBJ: what is wrong is named with its line") {
         CAPTURE(message);
         CHECK(message.substr(0, 8) == (std::string(line) == "f 1 2 \\" ? "a.obj:6:" : "a.obj:5:"));
     }
-    CHECK(has(error("f 1 2 5"), "index 5 is out of range; there are 4 of the vertices"));
+    CHECK(has(error("f 1 2 5"), "index 5 is out of range; there are 4 vertices"));
     CHECK(has(error("f 0 1 2"), "index 0 in OBJ, where numbering begins at 1"));
     CHECK(has(error("v x 1 0"), "'x' is not a number"));
 }

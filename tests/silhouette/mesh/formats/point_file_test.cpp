@@ -256,10 +256,37 @@ TEST_CASE("Text: lines of another width, words and short lines are errors with t
     CHECK(has(point_error("a.xyz", "1 2 3\n4 5 6 7\n"),
               "a.xyz:2: a point with 4 numbers, where those before it have 3"));
     CHECK(has(point_error("a.xyz", "1 2 3\n\n4 x 6\n"), "a.xyz:3: 'x' is not a number"));
-    CHECK(has(point_error("a.xyz", "1,2,3\n"), "a.xyz:1: '1,2,3' is not a number"));
     std::string wide;
     for (int i = 0; i < 65; ++i) wide.append(std::to_string(i)).push_back(' ');
     CHECK(has(point_error("a.xyz", wide), "more than 64 numbers"));
+}
+
+TEST_CASE("Text: commas or semicolons separate columns, and the first line may name them") {
+    const std::vector<glm::dvec3> expected{{1, 2, 3}, {-4, 0.5, 6}};
+    for (const char* text :
+         {"1,2,3\n-4,.5,6\n", "1, 2 ,3\r\n -4,0.5, 6 ,\r\n", "1;2;3\n-4;0.5;6",
+          "x y z\n1 2 3\n-4 0.5 6\n", "X,Y,Z,Intensity\n1,2,3,0\n-4,0.5,6,1\n",
+          "\"x\"; \"y\"; \"z\"\n1;2;3\n-4;0.5;6\n", "# exported\nx\ty\tz\n1\t2\t3\n-4\t0.5\t6\n",
+          "2\n1,2,3\n-4,0.5,6\n"}) {
+        CAPTURE(text);
+        for (const char* name : {"a.xyz", "a.csv"})
+            CHECK(read_points(name, text).positions == expected);
+    }
+    CHECK(read_points("a.txt", "1,2,3\n-4,0.5,6\n").positions == expected);
+    const PointSource colored = read_points("a.csv", "x,y,z,r,g,b\n1,2,3,9,8,7\n-4,0.5,6,1,2,3\n");
+    REQUIRE(colored.colors.size() == 2);
+    CHECK(colored.colors[1] == PointColor{1, 2, 3});
+    // Decimals with a comma are not taken for columns.
+    CHECK(has(point_error("a.xyz", "0,5 1,2 3,4\n"), "a.xyz:1: '5 1' is not a number"));
+    CHECK(has(point_error("a.csv", "0,5;1,2;3,4\n"), "a.csv:1: '0,5' is not a number"));
+    CHECK(has(point_error("a.csv", "1,2,3\n1 2 3\n"), "a.csv:2: '1 2 3' is not a number"));
+    CHECK(has(point_error("a.csv", "1,,3\n"), "a.csv:1: nothing between two separators"));
+    CHECK(has(point_error("a.csv", "1,2,3,,\n"), "a.csv:1: nothing between two separators"));
+    CHECK(has(point_error("a.csv", "1,2,3\n4,5\n"), "a.csv:2: a point with 2 numbers"));
+    // Other names, and names elsewhere.
+    CHECK(has(point_error("a.csv", "id,x,y,z\n1,2,3,4\n"), "a.csv:1: 'id' is not a number"));
+    CHECK(has(point_error("a.csv", "1,2,3\nx,y,z\n"), "a.csv:2: 'x' is not a number"));
+    CHECK(has(point_error("a.csv", "x,y,z\n"), "a.csv"));
 }
 
 TEST_CASE("Points that are not finite are refused with number and place, or keep their numbers") {
