@@ -109,10 +109,15 @@ Color parse_color(const std::string& option, std::string_view text, bool takes_a
     return *color;
 }
 
-double parse_in_range(const std::string& option, const std::string& text, double low, double high) {
+// `word`: what may stand there as well.
+double parse_in_range(const std::string& option, const std::string& text, double low, double high,
+                      const std::string& word = {}) {
     const std::optional<double> number = parse_number<double>(text);
     if (!number || *number < low || *number > high)
-        reject(option, "a number from " + plain(low) + " to " + plain(high), text);
+        reject(option,
+               "a number from " + plain(low) + " to " + plain(high) +
+                   (word.empty() ? "" : ", or " + word),
+               text);
     return *number;
 }
 
@@ -226,6 +231,17 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<do
     return add_text(app, name, "NUMBER", description, [=, &value](const std::string& text) {
         value = parse_in_range(name, text, low, high);
     });
+}
+
+CLI::Option* add_number_or(CLI::App& app, const std::string& name, std::optional<double>& value,
+                           double low, double high, const std::string& word, bool& is_word,
+                           const std::string& description) {
+    return add_text(
+        app, name, "NUMBER|" + word, description, [=, &value, &is_word](const std::string& text) {
+            is_word = text == word;
+            value =
+                is_word ? std::nullopt : std::optional(parse_in_range(name, text, low, high, word));
+        });
 }
 
 CLI::Option* add_count(CLI::App& app, const std::string& name, std::uint32_t& value,

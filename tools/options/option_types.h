@@ -59,6 +59,11 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<do
 CLI::Option* add_count(CLI::App& app, const std::string& name, std::uint32_t& value,
                        std::uint32_t low, std::uint32_t high, const std::string& description);
 
+/// A number within bounds, or `word`, which sets `is_word`.
+CLI::Option* add_number_or(CLI::App& app, const std::string& name, std::optional<double>& value,
+                           double low, double high, const std::string& word, bool& is_word,
+                           const std::string& description);
+
 /// The name of an output file. It must end in `ending`, for example ".png", in upper or lower case. Devices,
 /// pipes and links in /dev (/dev/stdout) may have any name, and - is standard output. `value` holds the
 /// default; empty: no default.

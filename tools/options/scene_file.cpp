@@ -32,7 +32,7 @@ using Setting = SceneFile::Setting;
 
 namespace {
 
-enum class Kind { text, number, vector, on_or_off, flag };
+enum class Kind { text, number, number_or_text, vector, on_or_off, flag };
 
 struct PictureKey {
     std::string_view name;
@@ -46,7 +46,7 @@ constexpr std::array<PictureKey, 21> k_picture_keys{{{"style", Kind::text},
                                                      {"line-color", Kind::text},
                                                      {"lines", Kind::on_or_off},
                                                      {"line-width", Kind::number},
-                                                     {"crease", Kind::number},
+                                                     {"crease", Kind::number_or_text},
                                                      {"hidden", Kind::flag},
                                                      {"shadows", Kind::text},
                                                      {"lighting", Kind::text},
@@ -118,6 +118,7 @@ public:
         if (!value_.is_number()) reject("a number");
         return exact_text(value_.get<double>());
     }
+    std::string number_or_text() const { return value_.is_string() ? text() : number(); }
     bool truth() const {
         if (!value_.is_boolean()) reject("true or false");
         return value_.get<bool>();
@@ -345,6 +346,7 @@ std::vector<Setting> picture_of(const Node& node) {
         switch (key.kind) {
             case Kind::text: setting.value = value.text(); break;
             case Kind::number: setting.value = value.number(); break;
+            case Kind::number_or_text: setting.value = value.number_or_text(); break;
             case Kind::vector: setting.value = value.vector(); break;
             case Kind::on_or_off: setting.value = value.truth() ? "on" : "off"; break;
             case Kind::flag:
@@ -504,6 +506,11 @@ Json picture_json(const CLI::App& app) {
         switch (key.kind) {
             case Kind::text: json[name] = value; break;
             case Kind::number: json[name] = std::stod(value); break;
+            case Kind::number_or_text: {
+                const Json number = Json::parse(value, nullptr, false);
+                json[name] = number.is_number() ? number : Json(value);
+                break;
+            }
             case Kind::vector:
                 json[name] = short_vector(glm::dvec3(parse_point(name, value)));
                 break;

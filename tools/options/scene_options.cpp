@@ -43,9 +43,10 @@ void SceneOptions::add_to(CLI::App& app) {
     add_number(app, "--line-width", line_width, 0.1, 100.0,
                "Line width in pixels (default: the style's own)")
         ->group(k_group);
-    add_number(app, "--crease", crease_degrees, 10.0, 180.0,
-               "Draw all edges that bend by at least this angle in degrees (default: in ink and "
-               "blueprint, those that bend by 30 and stand out; none in other styles)")
+    add_number_or(app, "--crease", crease_degrees, 10.0, 180.0, "clear", has_clear_creases,
+                  "Draw all edges that bend by at least this angle in degrees; clear: those that "
+                  "bend by 30 and stand out (default: clear in ink and blueprint; none in other "
+                  "styles)")
         ->group(k_group);
     app.add_flag("--hidden", hidden, "Draw hidden lines too, dashed and fainter")->group(k_group);
     app.add_option("--shadows", shadows,
@@ -90,8 +91,9 @@ LineStyle SceneOptions::line_style(const Palette& shown_palette) const {
 
 LineStyle SceneOptions::line_style() const {
     const StyleDefaults defaults = style_defaults(style_value());
+    const StyleDefaults creases = has_clear_creases ? style_defaults(Style::ink) : defaults;
     return {
-        .crease_degrees = crease_degrees.value_or(double{defaults.crease_angle_deg}),
+        .crease_degrees = crease_degrees.value_or(double{creases.crease_angle_deg}),
         .all_creases = crease_degrees.has_value(),
         .intersections = intersections ? *intersections == "on" : defaults.crease_angle_deg > 0.0f,
         .hidden = hidden,
@@ -160,7 +162,7 @@ void SceneOptions::check_lines() const {
                                     : ": the style mask draws lines with --lines on alone"));
     };
     refuse("--line-width", line_width.has_value());
-    refuse("--crease", crease_degrees.has_value());
+    refuse("--crease", has_creases());
     refuse("--hidden", hidden);
     refuse("--intersections", intersections == "on");
     refuse("--min-length", min_length.has_value());

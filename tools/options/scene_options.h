@@ -31,6 +31,7 @@ struct SceneOptions {
     std::optional<std::string> lines;  ///< on or off.
     std::optional<double> line_width;  ///< In pixels.
     std::optional<double> crease_degrees;
+    bool has_clear_creases = false;  ///< Those that stand out (clear_creases.h), in any style.
     std::optional<std::string> intersections;  ///< on or off.
     std::optional<double> min_length;          ///< Of lines in still pictures, in pixels.
     bool hidden = false;
@@ -66,6 +67,8 @@ struct SceneOptions {
     }
     /// The material of the model.
     Material material(const PictureOptions& picture) const;
+    /// Whether creases are not the style's own.
+    bool has_creases() const noexcept { return has_clear_creases || crease_degrees.has_value(); }
 
 private:
     LineStyle line_style() const;

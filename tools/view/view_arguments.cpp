@@ -64,7 +64,7 @@ Document ViewArguments::open_document_of_models(const BeginCall& begin) {
 OpenedView ViewArguments::cloud_view(Document document, bool inspects) const {
     const bool is_lit = !picture_.lights.empty() || !picture_.suns.empty() ||
                         picture_.has_chosen_sun || scene_.ground;
-    if (is_lit || scene_.hidden || scene_.crease_degrees || scene_.style != "ink" || inspects)
+    if (is_lit || scene_.hidden || scene_.has_creases() || scene_.style != "ink" || inspects)
         throw UsageError(models_.name() +
                          " is a cloud: lights, ground, styles, hidden lines, creases and Hough "
                          "space are of models");

@@ -324,9 +324,8 @@ void ViewPanel::draw_appearance(ViewSession& session) {
     ImGui::Checkbox("hidden lines too", &appearance.hidden);
     bool creases = appearance.crease_angle_deg > 0.0f;
     if (ImGui::Checkbox("creases", &creases)) {
-        appearance.crease_angle_deg = creases ? 30.0f : 0.0f;
-        // As --crease: a style without creases of its own draws all.
-        appearance.only_clear_creases = style_defaults(appearance.style).crease_angle_deg > 0.0f;
+        appearance.crease_angle_deg = creases ? style_defaults(Style::ink).crease_angle_deg : 0.0f;
+        appearance.only_clear_creases = true;
     }
     if (creases) {
         ImGui::SameLine();

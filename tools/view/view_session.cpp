@@ -70,9 +70,12 @@ nlohmann::ordered_json picture_json(const ViewAppearance& appearance, bool is_th
     constexpr double k_none = 180.0;
     const bool is_own = appearance.crease_angle_deg == defaults.crease_angle_deg &&
                         (appearance.only_clear_creases || defaults.crease_angle_deg == 0.0f);
-    if (!is_own)
-        json["crease"] =
-            appearance.crease_angle_deg > 0.0f ? double{appearance.crease_angle_deg} : k_none;
+    if (!is_own && appearance.crease_angle_deg == 0.0f)
+        json["crease"] = k_none;
+    else if (!is_own && appearance.only_clear_creases)
+        json["crease"] = "clear";
+    else if (!is_own)
+        json["crease"] = double{appearance.crease_angle_deg};
     if (appearance.hidden) json["hidden"] = true;
     if (!appearance.shadows)
         json["shadows"] = "off";

@@ -349,7 +349,8 @@ def test_render_chooses_lines_by_style_and_option():
     with tempfile.TemporaryDirectory() as folder:
         output = os.path.join(folder, "a.png")
         for options, creases in ((["--style", "ink"], 12), (["--style", "blueprint"], 12), (["--style", "toon"], 0),
-                                 (["--style", "toon", "--crease", "80"], 12), (["--crease", "100"], 0)):
+                                 (["--style", "toon", "--crease", "80"], 12), (["--crease", "100"], 0),
+                                 (["--style", "toon", "--crease", "clear"], 12)):
             result = succeed("render", "shape:box:12", "-o", output, "--size", "64x64", *options)
             assert result["creases"] == creases
         pictures = []

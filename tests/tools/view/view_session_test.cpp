@@ -501,6 +501,12 @@ TEST_CASE("a scene that the window writes says what the window shows") {
     CHECK_FALSE(session.written_scene({640, 480}).picture.contains("crease"));
     session.appearance.crease_angle_deg = 0.0f;
     CHECK(session.written_scene({640, 480}).picture["crease"] == 180.0);
+    // Those of ink in a style that has none of its own, and all from an angle on.
+    session.appearance.set_style(Style::toon);
+    session.appearance.crease_angle_deg = 30.0f;
+    CHECK(session.written_scene({640, 480}).picture["crease"] == "clear");
+    session.appearance.only_clear_creases = false;
+    CHECK(session.written_scene({640, 480}).picture["crease"] == 30.0);
 }
 
 TEST_CASE("a mask has no lines, and the next style has its own again") {
