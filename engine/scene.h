@@ -103,7 +103,8 @@ struct Light {
     bool casts_shadows = true;
     /// True: it fills the shadows that the other lights leave, and does not add to their light. Where it shines, a
     /// surface is at least as light as if only `share` of its full light arrived, at most 1. In Style::hatch its
-    /// strokes are thinner there. Casts no shadows, and comes after all lights that do not fill.
+    /// strokes are thinner there; on surfaces in the colors of a mesh only if strokes have colors of materials
+    /// (Material::lines_in_mesh_colors). Casts no shadows, and comes after all lights that do not fill.
     bool fills = false;
 
     bool operator==(const Light&) const = default;
@@ -169,6 +170,9 @@ struct Scene {
     /// Of these edges, only those that bend by 30 degrees and stand out (silhouette/mesh/clear_creases.h).
     bool only_clear_creases = false;
     float hatch_spacing_px = 5.0f;  ///< Between strokes of Style::hatch; greater than 0.
+    /// Meshes of these that were drawn stay on the device, though no instance shows them now: for a scene that
+    /// alternates with another. They must live as those of instances.
+    std::vector<const HoughOctree*> kept;
 };
 
 /// A sphere around all instances.

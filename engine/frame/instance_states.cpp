@@ -60,6 +60,7 @@ void InstanceStates::retire(InstanceState& state) {
 void InstanceStates::retire_unused_meshes(const Scene& scene) {
     std::set<const Mesh*> used;
     for (const SceneInstance& instance : scene.instances) used.insert(&instance.mesh());
+    for (const HoughOctree* octree : scene.kept) used.insert(&octree->mesh());
     for (auto& [mesh, uploaded] : meshes_)
         if (!used.contains(mesh)) next_retired().mesh = std::move(uploaded);
     std::erase_if(meshes_, [](const auto& entry) { return !entry.second; });
@@ -147,7 +148,10 @@ void InstanceStates::prepare(const Scene& scene, const Frames& frames, Uploaded&
             retire(instances_[i]);
         instances_.resize(scene.instances.size());
         retire_unused_meshes(scene);
+    } else if (scene.kept != kept_) {
+        retire_unused_meshes(scene);
     }
+    kept_ = scene.kept;
     for (InstanceState& state : instances_) {
         for (std::size_t l = scene.lights.size(); l < state.lights.size(); ++l)
             retire(state.lights[l]);

@@ -124,6 +124,7 @@ private:
     MemoryBudget tracker_budget_;
     TextureSamplers samplers_;  // Of the meshes.
     std::map<const Mesh*, std::unique_ptr<GpuMesh>> meshes_;
+    std::vector<const HoughOctree*> kept_;  // Scene::kept of the scene prepared last.
     CasterMeshes casters_;
     std::unique_ptr<DeformPasses> deform_passes_;  // Made for the first instance that deforms.
     std::vector<InstanceState> instances_;

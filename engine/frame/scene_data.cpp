@@ -117,14 +117,19 @@ FrameSurfaces frame_surfaces(const Scene& scene, const PictureTarget& target,
 
 namespace {
 
-// Whether strokes of Style::hatch are lighter than the surface.
-bool has_light_strokes(const Scene& scene, const SceneInstance& instance, SurfaceColors colors) {
-    if (scene.style != Style::hatch) return false;
-    const bool is_plain = colors == SurfaceColors::one;
-    if (!is_plain && instance.material.lines_in_mesh_colors) return scene.palette.has_light_ink();
-    const glm::vec3 surface = is_plain ? instance.material.color : scene.palette.background;
-    const glm::vec3& ink = line_color(scene, instance);
-    return ink.x + ink.y + ink.z > surface.x + surface.y + surface.z;
+// By whether strokes of Style::hatch are lighter than the surface.
+SurfaceFilling filling_of(const Scene& scene, const SceneInstance& instance, SurfaceColors colors) {
+    if (scene.style != Style::hatch) return SurfaceFilling::lighter;
+    const auto filling = [](bool has_light_strokes) {
+        return has_light_strokes ? SurfaceFilling::darker : SurfaceFilling::lighter;
+    };
+    if (colors == SurfaceColors::one) {
+        const glm::vec3& surface = instance.material.color;
+        const glm::vec3& ink = line_color(scene, instance);
+        return filling(ink.x + ink.y + ink.z > surface.x + surface.y + surface.z);
+    }
+    return instance.material.lines_in_mesh_colors ? filling(scene.palette.has_light_ink())
+                                                  : SurfaceFilling::left_out;
 }
 
 }  // namespace
@@ -147,8 +152,7 @@ SurfaceKind surface_kind(const Scene& scene, const FrameSurfaces& surfaces,
     // What fades is lit by casters of shadows alone.
     if (kind.lights == SurfaceLights::apart && kind.output != SurfaceOutput::held_out &&
         !kind.fades && std::ranges::any_of(scene.lights, &Light::fills)) {
-        kind.filling = has_light_strokes(scene, instance, kind.colors) ? SurfaceFilling::darker
-                                                                       : SurfaceFilling::lighter;
+        kind.filling = filling_of(scene, instance, kind.colors);
     }
     return kind;
 }

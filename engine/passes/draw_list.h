@@ -58,6 +58,7 @@ enum class SurfaceFilling {
     none,     ///< No light fills.
     lighter,  ///< The lighter one.
     darker,   ///< The darker one: light takes away strokes, which are lighter than the surface.
+    left_out,  ///< Nothing: strokes of one color may be lighter than one surface and darker than another.
 };
 
 /// Surfaces that the same pipelines draw.

@@ -115,6 +115,7 @@ void SurfacePass::record(Commands commands, const DrawList& list,
     for (const DrawnInstance& instance : list.instances) {
         const DrawnLight& drawn = instance.lights[light];
         const bool fills = drawn.fills && instance.surface.filling != SurfaceFilling::none;
+        if (fills && instance.surface.filling == SurfaceFilling::left_out) continue;
         bind(commands, pipelines_.at(instance.surface).*(fills ? &Pipelines::filled : pipeline),
              instance);
         set_draw(commands, layout_, list, instance, &drawn, drawn.casts_shadow ? 1 : 0);

@@ -462,6 +462,37 @@ TEST_CASE("a light that fills makes shadows lighter and changes nothing that is 
     }
 }
 
+TEST_CASE("a light that fills changes no strokes of one color on surfaces of many") {
+    RIMLINE_OPEN_GPU(gpu);
+    MeshSource source = make_built_in_shape("knot", 4000);
+    source.materials.materials = {{glm::vec3(1.0f), k_no_texture}};
+    source.materials.of_face.assign(source.triangles.size(), MaterialId{0});
+    const Mesh mesh(source);
+    const HoughOctree octree(mesh);
+    Renderer renderer(gpu->context());
+    Scene scene = scene_of(mesh, octree, Style::hatch);
+    scene.lines = false;
+    for (const bool has_material_inks : {false, true}) {
+        CAPTURE(has_material_inks);
+        // Dark strokes on white surfaces, before a paper that is darker still, or white.
+        scene.palette.background = glm::vec3(has_material_inks ? 1.0f : 0.01f);
+        scene.palette.ink = glm::vec3(0.1f);
+        scene.instances[0].material.lines_in_mesh_colors = has_material_inks;
+        scene.lights = {{.vector = {1.0, 1.0, 0.3}, .share = 1.0f}};
+        const Picture alone = renderer.render(scene, 128, 128);
+        scene.lights.push_back(
+            {.vector = {-1.0, 0.2, 0.4}, .share = 0.6f, .casts_shadows = false, .fills = true});
+        const Picture filled = renderer.render(scene, 128, 128);
+        std::size_t changed = 0;
+        for (std::size_t i = 0; i < alone.rgba.size(); ++i)
+            changed += std::abs(int{alone.rgba[i]} - int{filled.rgba[i]}) > 1 ? 1 : 0;
+        if (has_material_inks)
+            CHECK(changed > 500);
+        else
+            CHECK(changed == 0);
+    }
+}
+
 // From an 8-bit value to the next in linear light.
 double one_step(std::uint8_t value) {
     const int lower = std::min(int{value}, 254);

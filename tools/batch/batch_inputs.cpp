@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 8> k_model_endings{".obj", ".ply", ".stl",  ".off",
-                                                          ".glb", ".xyz", ".gltf", ".pts"};
+constexpr std::array<std::string_view, 9> k_model_endings{".obj", ".ply",  ".stl", ".off", ".glb",
+                                                          ".xyz", ".gltf", ".pts", ".csv"};
 
 constexpr std::string_view k_byte_order_mark = "\xef\xbb\xbf";
 

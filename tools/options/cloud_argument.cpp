@@ -26,7 +26,7 @@ void CloudArgument::add_to(CLI::App& app) {
     add_flags_to(app);
     add_subdivide(app, subdivide)->group("Cloud");
     app.add_option("--format", format, "Format of a CLOUD from standard input")
-        ->check(CLI::IsMember({"ply", "obj", "xyz", "pts", "stl", "off", "glb"}))
+        ->check(CLI::IsMember({"ply", "obj", "xyz", "pts", "csv", "stl", "off", "glb"}))
         ->group("Cloud");
 }
 

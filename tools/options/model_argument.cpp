@@ -243,7 +243,7 @@ void ModelArgument::add_to(CLI::App& app, Presence presence) {
 
 void add_input_format(CLI::App& app, std::string& format) {
     app.add_option("--format", format, "Format of a MODEL from standard input")
-        ->check(CLI::IsMember({"ply", "obj", "stl", "off", "glb", "xyz", "pts"}))
+        ->check(CLI::IsMember({"ply", "obj", "stl", "off", "glb", "xyz", "pts", "csv"}))
         ->group("Model");
 }
 

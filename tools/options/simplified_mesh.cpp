@@ -3,8 +3,8 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "silhouette/mesh/ids.h"
@@ -26,15 +26,21 @@ std::vector<unsigned> corners_of_faces(const Mesh& mesh) {
     return corners;
 }
 
-void simplify(const Mesh& mesh, std::size_t faces, std::vector<unsigned>& corners) {
+void simplify(const Mesh& mesh, std::size_t faces, std::vector<unsigned>& corners,
+              const LongCall& call) {
     std::vector<unsigned> kept(corners.size());
     const float* const positions = &mesh.positions()[0].x;
     if (corners.size() > 3 * k_most_collapsed) {
-        kept.resize(meshopt_simplifySloppy(
+        const std::size_t joined = meshopt_simplifySloppy(
             kept.data(), corners.data(), corners.size(), positions, mesh.vertex_count(),
-            sizeof(glm::vec3), 3 * std::max(faces, k_joined_faces), k_any_error, nullptr));
-        corners.swap(kept);
-        kept.resize(corners.size());
+            sizeof(glm::vec3), 3 * std::max(faces, k_joined_faces), k_any_error, nullptr);
+        // The grid has 1024 cells along the mesh: too few for small parts far from each other.
+        if (joined >= 3 * std::max(faces, k_joined_faces) / 2) {
+            kept.resize(joined);
+            corners.swap(kept);
+            kept.resize(corners.size());
+        }
+        call.checkpoint(0.3);
     }
     kept.resize(meshopt_simplify(kept.data(), corners.data(), corners.size(), positions,
                                  mesh.vertex_count(), sizeof(glm::vec3),
@@ -43,7 +49,7 @@ void simplify(const Mesh& mesh, std::size_t faces, std::vector<unsigned>& corner
 }
 
 // Vertices are those of the mesh. So the last corner at a vertex says what the vertex looks like.
-FaceMaterials materials_of(const Mesh& mesh, const MeshSource& simple) {
+FaceMaterials materials_of(const Mesh& mesh, std::span<const unsigned> corners) {
     const FaceMaterials& all = mesh.materials();
     FaceMaterials materials;
     if (all.empty()) return materials;
@@ -55,26 +61,40 @@ FaceMaterials materials_of(const Mesh& mesh, const MeshSource& simple) {
         material.texture = k_no_texture;
         materials.materials.push_back(material);
     }
-    for (const std::array<std::uint32_t, 3>& triangle : simple.triangles) {
-        materials.of_face.push_back(all.of_face[corner_at[triangle[0]] / 3]);
-        if (all.corner_colors.empty()) continue;
-        for (const std::uint32_t vertex : triangle)
+    for (std::size_t i = 0; i < corners.size(); i += 3)
+        materials.of_face.push_back(all.of_face[corner_at[corners[i]] / 3]);
+    if (!all.corner_colors.empty())
+        for (const unsigned vertex : corners)
             materials.corner_colors.push_back(all.corner_colors[corner_at[vertex]]);
-    }
     return materials;
 }
 
 }  // namespace
 
-MeshSource simplified(const Mesh& mesh, std::uint32_t faces) {
+MeshSource simplified(const Mesh& mesh, std::uint32_t faces, const LongCall& call) {
     RIMLINE_CHECK(mesh.face_count() > 0 && faces <= mesh.face_count());
+    call.checkpoint(0.0);
     std::vector<unsigned> corners = corners_of_faces(mesh);
-    simplify(mesh, faces, corners);
-    MeshSource source{{mesh.positions().begin(), mesh.positions().end()}, {}, mesh.up()};
+    call.checkpoint(0.1);
+    simplify(mesh, faces, corners, call);
+    call.checkpoint(0.9);
+    MeshSource source;
+    source.up = mesh.up();
     source.is_up_known = mesh.is_up_known();
+    source.materials = materials_of(mesh, corners);
+    // Only vertices that are left, in their order.
+    std::vector<unsigned> vertices = corners;
+    std::ranges::sort(vertices);
+    vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+    for (const unsigned vertex : vertices) source.positions.push_back(mesh.positions()[vertex]);
+    const auto number_of = [&](unsigned vertex) {
+        return static_cast<std::uint32_t>(std::ranges::lower_bound(vertices, vertex) -
+                                          vertices.begin());
+    };
     for (std::size_t i = 0; i < corners.size(); i += 3)
-        source.triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
-    source.materials = materials_of(mesh, source);
+        source.triangles.push_back(
+            {number_of(corners[i]), number_of(corners[i + 1]), number_of(corners[i + 2])});
+    call.checkpoint(1.0);
     return source;
 }
 

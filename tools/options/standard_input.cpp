@@ -69,7 +69,7 @@ PointSource read_cloud_from_standard_input(const std::string& format, BadPoints 
                                            const LongCall& call) {
     if (format.empty())
         throw UsageError(
-            "CLOUD: standard input needs --format ply, obj, xyz, pts, stl, off or glb");
+            "CLOUD: standard input needs --format ply, obj, xyz, pts, csv, stl, off or glb");
     return read_point_bytes(k_input_name, bytes_of_standard_input(call), "." + format, bad, call);
 }
 

@@ -21,7 +21,7 @@ PointSource read_cloud_from_standard_input(const std::string& format, BadPoints 
                                            const LongCall& call);
 
 /// Reads standard input to its end. Throws UsageError without a format, or if standard input is a terminal, and
-/// Error as read_mesh_bytes(). `format` is ply, obj, stl, off, glb, or of clouds xyz or pts.
+/// Error as read_mesh_bytes(). `format` is ply, obj, stl, off, glb, or of clouds xyz, pts or csv.
 MeshSource read_standard_input(const std::string& format, FaceRequirement requirement,
                                const LongCall& call);
 

@@ -47,8 +47,9 @@ nlohmann::ordered_json lights_json(const std::vector<Light>& lights) {
         nlohmann::ordered_json entry{
             {light.directional ? "direction" : "position", json_vector(light.vector)}};
         if (is_uneven)
-            entry.update(
-                {{"share", light.share.value_or(1.0f)}, {"casts_shadows", light.casts_shadows}});
+            entry.update({{"share", light.share.value_or(1.0f)},
+                          {"casts_shadows", light.casts_shadows},
+                          {"fills", light.fills}});
         list.push_back(std::move(entry));
     }
     return list;

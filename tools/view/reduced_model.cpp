@@ -6,7 +6,7 @@
 namespace rimline::tools {
 
 ReducedModel::ReducedModel(const Mesh& mesh, const LongCall& call)
-    : mesh_(simplified(mesh, k_faces), Welding::equal_positions, call),
+    : mesh_(simplified(mesh, k_faces, {call.stop, {}}), Welding::equal_positions, call),
       octree_(mesh_, {}, call),
       is_solid_(rimline::is_solid(mesh_, call)) {}
 

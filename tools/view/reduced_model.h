@@ -28,6 +28,9 @@ public:
     ReducedModel& operator=(const ReducedModel&) = delete;
 
     const Mesh& mesh() const noexcept { return mesh_; }
+    const HoughOctree& octree() const noexcept { return octree_; }
+    /// False where next to nothing is left, as of many separate small parts.
+    bool is_useful() const noexcept { return mesh_.face_count() >= k_faces / 2; }
     /// Draws it in place of the instance's own model.
     void stand_in(SceneInstance& instance) const;
 

@@ -138,12 +138,14 @@ void ViewLoop::apply_keys() {
 // Beside the frames: the first ones that move may have all faces.
 void ViewLoop::reduce_model() {
     const ModelDocument* const model = session_.document().model();
-    if (!coarseness_.is_slow_device() || !model || !ReducedModel::is_worth_it(model->mesh()))
+    if (!coarseness_.is_slow_device() || !model || model->reduced() ||
+        !ReducedModel::is_worth_it(model->mesh()))
         return;
     reducer_.emplace();
     reducer_->start({}, [&mesh = model->mesh()](const BeginCall& begin) {
         try {
-            return std::make_unique<const ReducedModel>(mesh, begin({}));
+            auto reduced = std::make_unique<const ReducedModel>(mesh, begin({}));
+            return reduced->is_useful() ? std::move(reduced) : nullptr;
         } catch (const std::exception&) {
             // Cancelled, or without memory: the window works without.
             return std::unique_ptr<const ReducedModel>();
@@ -314,8 +316,10 @@ bool ViewLoop::draw_kept() {
 ViewPicture ViewLoop::picture(bool is_fine, const LongCall& call) const {
     ViewPicture picture = session_.picture(exact_size(is_fine), call);
     if (Scene* const scene = std::get_if<Scene>(&picture)) {
-        const ReducedModel* const reduced = session_.model().reduced();
-        if (!is_fine && reduced) reduced->stand_in(scene->instances.front());
+        if (const ReducedModel* const reduced = session_.model().reduced()) {
+            scene->kept = {is_fine ? &reduced->octree() : &session_.model().octree()};
+            if (!is_fine) reduced->stand_in(scene->instances.front());
+        }
         if (!quality(is_fine).shadows) scene->shadows = false;
         scene->line_width_px /= static_cast<float>(quality(is_fine).divisor);
     }

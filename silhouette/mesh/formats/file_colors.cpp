@@ -59,6 +59,7 @@ void color_vertices_and_triangles(MeshSource& source, std::span<const glm::vec3>
         corners.resize(3 * source.triangles.size(), glm::vec3(1.0f));
     if (!has_own) return;
     for (std::size_t t = 0; t < source.triangles.size(); ++t) {
+        if (t % k_checkpoint_interval == 0) LongCall{stop, {}}.checkpoint(0.0);
         if (triangle_colors[t] != k_no_color) {
             for (std::size_t c = 0; c < 3; ++c) corners[3 * t + c] *= triangle_colors[t];
         } else if (vertex_colors.empty()) {

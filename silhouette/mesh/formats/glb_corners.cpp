@@ -4,6 +4,8 @@
 #include <array>
 #include <tuple>
 
+#include "silhouette/mesh/formats/embed_textures.h"
+
 namespace rimline {
 
 namespace {
@@ -18,7 +20,9 @@ constexpr Look k_plain{1.0f, 1.0f, 1.0f, 0.0f, 0.0f};
 bool has_embedded_texture(const FaceMaterials& materials, MaterialId material) noexcept {
     if (material == k_no_material || materials.corner_uvs.empty()) return false;
     const TextureId texture = materials.materials[index(material)].texture;
-    return texture != k_no_texture && materials.textures[index(texture)].embedded != nullptr;
+    if (texture == k_no_texture) return false;
+    const auto& bytes = materials.textures[index(texture)].embedded;
+    return bytes && picture_mime_type(*bytes);
 }
 
 GlbCorners glb_corners(const Mesh& mesh) {

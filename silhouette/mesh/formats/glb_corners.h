@@ -24,7 +24,8 @@ struct GlbCorners {
     std::vector<glm::vec2> uvs;
 };
 
-/// Whether the faces of this material have a texture that can be written: its bytes are there (embed_textures()).
+/// Whether the faces of this material have a texture that can be written: its bytes are there (embed_textures()), and
+/// are PNG or JPEG.
 bool has_embedded_texture(const FaceMaterials& materials, MaterialId material) noexcept;
 
 /// Corners of faces without a material have no color, and those without such a texture no coordinates: they use any

@@ -51,7 +51,7 @@ public:
     GlbWriter(const Mesh& mesh, const GlbOptions& options)
         : mesh_(mesh),
           options_(options),
-          corners_(glb_corners(mesh)),
+          corners_(checked_corners(mesh)),
           is_written_(mesh.edge_count(), 0) {}
 
     std::string bytes() {
@@ -81,6 +81,13 @@ public:
     }
 
 private:
+    // Before memory is taken.
+    static GlbCorners checked_corners(const Mesh& mesh) {
+        check_size(sizeof(glm::vec3) * std::uint64_t{mesh.vertex_count()} +
+                   2 * std::uint64_t{3} * mesh.face_count());
+        return glb_corners(mesh);
+    }
+
     // The faces of each material, in the order of its first face.
     std::vector<std::vector<FaceId>> faces_by_material() {
         const FaceMaterials& materials = mesh_.materials();

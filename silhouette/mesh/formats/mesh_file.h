@@ -1,7 +1,7 @@
 #pragma once
 
-// Reads a model file into a MeshSource: OBJ, PLY, STL, OFF, glTF and GLB, and the points of XYZ and PTS
-// text (point_file.h). The content of the file decides its format, the name only if the content does not.
+// Reads a model file into a MeshSource: OBJ, PLY, STL, OFF, glTF and GLB, and the points of XYZ, PTS
+// and CSV text (point_file.h). The content of the file decides its format, the name only if the content does not.
 //
 // The readers do not guess and do not drop data silently. A file gives exactly its content, or an Error
 // that names the file, the line or byte, and the fault. The length of the file bounds every allocation,

@@ -108,13 +108,19 @@ public:
         return read_face_color();
     }
 
-    // In linear light, one for each vertex. Empty if they have none.
-    std::vector<glm::vec3> vertex_colors() const { return linear(vertex_colors_, of_vertices_); }
+    // In linear light, one for each vertex; white for one whose color is not used. Empty if they have none.
+    std::vector<glm::vec3> vertex_colors() const {
+        std::vector<glm::vec3> colors = linear(vertex_colors_, of_vertices_);
+        std::ranges::replace(colors, k_no_color, glm::vec3(1.0f));
+        return colors;
+    }
     // The same for colors that read_face() returned.
     std::vector<glm::vec3> face_colors(std::span<const OffColor> colors) const {
         return linear(colors, of_faces_);
     }
-    const std::string& warning() const { return warning_; }
+    std::array<std::string, 2> warnings() const {
+        return {of_vertices_.warning(), of_faces_.warning()};
+    }
 
 private:
     static std::vector<glm::vec3> linear(std::span<const OffColor> colors, const OffColors& list) {
@@ -140,12 +146,13 @@ private:
         scanner_.expect_end_of_line("a face");
         if (count >= 3) return of_faces_.read(scanner_, std::span(tokens).first(count), what);
         for (std::size_t i = 0; i < count; ++i) scanner_.skip_number(tokens[i], what);
-        if (count == 2) fail("a face's color has 2 numbers; it needs 3 or 4");
-        if (count == 1 && warning_.empty())
-            warning_ = std::string(scanner_.name()) + ":" + std::to_string(scanner_.line()) + ": " +
-                       excerpt(tokens[0]) +
-                       " after a face is an index of a colormap, which is not read; faces with "
-                       "one have no color of their own";
+        if (count == 2)
+            of_faces_.warn(scanner_,
+                           "a face's color has 2 numbers, not 3 or 4; such a color is not used");
+        if (count == 1)
+            of_faces_.warn(scanner_, excerpt(tokens[0]) +
+                                         " after a face is an index of a colormap, which is not "
+                                         "read; faces with one have no color of their own");
         return {};
     }
 
@@ -171,7 +178,6 @@ private:
     std::size_t colors_ = 4;  // Numbers of a vertex's color.
     OffColors of_vertices_, of_faces_;
     std::vector<OffColor> vertex_colors_;
-    std::string warning_;
     std::uint64_t last_line_ = 0;     // The line where the last vertex ended.
     std::uint64_t crowded_line_ = 0;  // The first line where one vertex ends and another begins.
 };
@@ -240,7 +246,8 @@ MeshSource read_off(const SourceFile& file, BadPoints bad, const LongCall& call)
     }
     if (!scanner.word().empty())
         scanner.fail("there is more after the last face; a count at the beginning is too small");
-    if (!reader.warning().empty()) add_warning(source.warnings, reader.warning());
+    for (const std::string& warning : reader.warnings())
+        if (!warning.empty()) add_warning(source.warnings, warning);
     if (!triangle_colors.empty()) triangle_colors.resize(source.triangles.size());
     color_vertices_and_triangles(source, reader.vertex_colors(),
                                  reader.face_colors(triangle_colors), call.stop);

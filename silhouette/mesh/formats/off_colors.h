@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,15 +28,21 @@ struct OffColor {
 
 class OffColors {
 public:
-    /// The color that three or four tokens spell. `what` names it in errors. Throws Error{bad_input} with the line for
-    /// a word that is no number, and for a number outside of [0, 255].
+    /// The color that three or four tokens spell, or none, with a warning, for a channel outside of [0, 255]. `what`
+    /// names it in messages. Throws Error{bad_input} with the line for a word that is no number.
     OffColor read(const TextScanner& scanner, std::span<const std::string_view> tokens,
                   const char* what);
 
     /// The color in linear light, after all were read. k_no_color for none.
     glm::vec3 linear(const OffColor& color) const;
 
+    /// Keeps the first warning, with the line.
+    void warn(const TextScanner& scanner, const std::string& what);
+    /// Why colors are not used, or empty.
+    const std::string& warning() const noexcept { return warning_; }
+
 private:
+    std::string warning_;
     std::array<float, 3> largest_{};  // The greatest number of each kind.
 };
 

@@ -24,7 +24,11 @@ template <typename Body>
 class PlyReader {
 public:
     PlyReader(const SourceFile& file, const PlyHeader& header, const LongCall& call)
-        : file_(file), header_(header), elements_(file, header, call), triangulator_(call.stop) {}
+        : file_(file),
+          header_(header),
+          elements_(file, header, call),
+          triangulator_(call.stop),
+          stop_(call.stop) {}
 
     MeshSource read() {
         vertex_count_ = header_.vertices(file_).count;
@@ -47,7 +51,7 @@ public:
             ++polygon;
         }
         if (has_face_colors_) triangle_colors_.resize(source_.triangles.size(), k_white);
-        color_vertices_and_triangles(source_, vertex_colors_, triangle_colors_);
+        color_vertices_and_triangles(source_, vertex_colors_, triangle_colors_, stop_);
         return std::move(source_);
     }
 
@@ -217,6 +221,7 @@ private:
     bool has_face_colors_ = false;
     std::vector<glm::vec3> triangle_colors_;  // Of the first triangles, if faces have colors.
     Triangulator triangulator_;
+    std::stop_token stop_;
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-// Reads the points of a file into a PointSource: PLY, OBJ, XYZ and PTS text in double precision, and STL,
+// Reads the points of a file into a PointSource: PLY, OBJ, XYZ, PTS and CSV text in double precision, and STL,
 // OFF, glTF and GLB in float as mesh_file.h. It is as strict as mesh_file.h: a file gives exactly its
 // content, or an Error that names the file and the line or byte.
 //
@@ -11,7 +11,8 @@
 //         face corner has equal vertex and normal indices. Otherwise they are ignored.
 //   XYZ   One point per line: numbers separated by blanks, or by commas or semicolons, equally many in every
 //         line. Decimals begin with a point. Lines that begin with # or // are comments. A first line may name the
-//         columns; then the first three are x, y and z. The first three numbers are x y z. With 4, 7 or 10 numbers, the
+//         columns; then the first three are x, y and z, and red, green, blue (r, g, b) or nx, ny, nz after them
+//         are a triple. The first three numbers are x y z. With 4, 7 or 10 numbers, the
 //         fourth is an intensity. The remaining numbers are triples. The first triple of columns whose
 //         values all have length 1 (within 1%) or 0 is the normal. The first triple of integers from 0
 //         to 255 is the color. Other columns are skipped.

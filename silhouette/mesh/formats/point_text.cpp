@@ -35,16 +35,25 @@ std::string_view take_column(std::string_view& line, char separator) {
     return column.substr(0, column.find_last_not_of(k_blanks) + 1);
 }
 
-// Whether the first three columns are named x, y and z.
-bool is_header(std::string_view line) {
+// What the first columns of a line are named, if it names them: x, y, z, and maybe a triple or an intensity next.
+enum class Header : std::uint8_t { none, with_position, with_triple };
+Header header_of(std::string_view line) {
     const char separator = separator_of(line);
-    for (const std::string_view name : {"x", "y", "z"}) {
-        std::string_view column = take_column(line, separator);
-        if (column.size() > 2 && column.front() == '"' && column.back() == '"')
-            column = column.substr(1, column.size() - 2);
-        if (!equals_ignoring_case(column, name)) return false;
-    }
-    return true;
+    const auto take_names = [&](std::initializer_list<std::string_view> names) {
+        std::string_view rest = line;
+        for (const std::string_view name : names) {
+            std::string_view column = take_column(rest, separator);
+            if (column.size() > 2 && column.front() == '"' && column.back() == '"')
+                column = column.substr(1, column.size() - 2);
+            if (!equals_ignoring_case(column, name)) return false;
+        }
+        line = rest;
+        return true;
+    };
+    if (!take_names({"x", "y", "z"})) return Header::none;
+    const bool has_triple = take_names({"r", "g", "b"}) || take_names({"red", "green", "blue"}) ||
+                            take_names({"nx", "ny", "nz"});
+    return has_triple ? Header::with_triple : Header::with_position;
 }
 
 bool is_zero(const glm::vec3& v) { return v == glm::vec3(0.0f); }
@@ -95,7 +104,11 @@ private:
     bool read_numbers() {
         std::string_view line = scanner_.free_text();
         if (line.starts_with('#') || line.starts_with("//")) return false;
-        if (records_.source.positions.empty() && !expected_ && is_header(line)) return false;
+        if (records_.source.positions.empty() && !expected_)
+            if (const Header header = header_of(line); header != Header::none) {
+                header_ = header;
+                return false;
+            }
         const char separator = separator_.value_or(separator_of(line));
         for (count_ = 0; !line.empty();) {
             if (count_ == k_max_columns)
@@ -152,8 +165,10 @@ private:
 
     void begin_columns() {
         columns_ = count_;
-        first_triple_ = columns_ % 3 == 1 && columns_ <= 10 ? 4 : 3;
-        if (columns_ % 3 != 2 && columns_ <= 10) triples_.resize((columns_ - first_triple_) / 3);
+        const bool has_triple = header_ == Header::with_triple;
+        first_triple_ = !has_triple && columns_ % 3 == 1 && columns_ <= 10 ? 4 : 3;
+        if (has_triple || (columns_ % 3 != 2 && columns_ <= 10))
+            triples_.resize((columns_ - first_triple_) / 3);
     }
 
     void keep_triples() {
@@ -175,7 +190,8 @@ private:
     TextScanner scanner_;
     PointRecords records_;
     std::array<double, k_max_columns> numbers_{};
-    std::size_t count_ = 0;          // Numbers in the current line.
+    std::size_t count_ = 0;  // Numbers in the current line.
+    Header header_ = Header::none;
     std::optional<char> separator_;  // Of the first line with several.
     std::string_view first_token_;
     std::size_t columns_ = 0;  // Numbers per point.

@@ -118,7 +118,7 @@ MeshSource read_stl_binary(const SourceFile& file, BadPoints bad, const LongCall
         add_facet(source);
     }
     const StlColors colors =
-        stl_colors(std::string_view(file.bytes).substr(0, k_header_bytes), attributes);
+        stl_colors(std::string_view(file.bytes).substr(0, k_header_bytes), attributes, call.stop);
     if (!colors.warning.empty()) add_warning(source.warnings, file.name + ": " + colors.warning);
     color_vertices_and_triangles(source, {}, colors.colors, call.stop);
     return source;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "silhouette/mesh/formats/file_colors.h"
+#include "silhouette/mesh/formats/source_file.h"
 #include "silhouette/srgb.h"
 
 namespace rimline {
@@ -35,10 +36,18 @@ std::string shown(std::size_t facet, unsigned attribute) {
 
 }  // namespace
 
-StlColors stl_colors(std::string_view header, const std::vector<std::uint16_t>& attributes) {
+StlColors stl_colors(std::string_view header, const std::vector<std::uint16_t>& attributes,
+                     const std::stop_token& stop) {
     const auto is_zero = [](unsigned attribute) { return attribute == 0; };
     const auto has_bit_15 = [](unsigned attribute) { return (attribute & k_bit_15) != 0; };
     StlColors found;
+    const auto add_all = [&](auto&& color_of) {
+        found.colors.reserve(attributes.size());
+        for (std::size_t i = 0; i < attributes.size(); ++i) {
+            if (i % k_checkpoint_interval == 0) LongCall{stop, {}}.checkpoint(0.0);
+            found.colors.push_back(color_of(attributes[i]));
+        }
+    };
     if (const std::optional<glm::vec3> common = color_of_header(header)) {
         const bool have_bit_15 = std::ranges::all_of(attributes, has_bit_15);
         const bool are_one = std::ranges::all_of(
@@ -46,12 +55,11 @@ StlColors stl_colors(std::string_view header, const std::vector<std::uint16_t>& 
         const bool is_common =
             are_one && !attributes.empty() &&
             (is_zero(attributes[0]) || attributes[0] == k_bit_15 || attributes[0] == 0xffff);
-        found.colors.reserve(attributes.size());
-        for (const unsigned a : attributes)
-            found.colors.push_back(
-                is_common || (has_bit_15(a) && !have_bit_15)
-                    ? *common
-                    : linear_from_srgb({channel(a, 0), channel(a, 5), channel(a, 10)}));
+        add_all([&](unsigned a) {
+            return is_common || (has_bit_15(a) && !have_bit_15)
+                       ? *common
+                       : linear_from_srgb({channel(a, 0), channel(a, 5), channel(a, 10)});
+        });
         return found;
     }
     const auto colored = std::ranges::find_if(attributes, has_bit_15);
@@ -68,11 +76,10 @@ StlColors stl_colors(std::string_view header, const std::vector<std::uint16_t>& 
                         ", and the header has no COLOR=, with which both would be";
         return found;
     }
-    found.colors.reserve(attributes.size());
-    for (const unsigned a : attributes)
-        found.colors.push_back(
-            has_bit_15(a) ? linear_from_srgb({channel(a, 10), channel(a, 5), channel(a, 0)})
-                          : k_no_color);
+    add_all([&](unsigned a) {
+        return has_bit_15(a) ? linear_from_srgb({channel(a, 10), channel(a, 5), channel(a, 0)})
+                             : k_no_color;
+    });
     return found;
 }
 

@@ -17,6 +17,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,7 +31,8 @@ struct StlColors {
     std::string warning;
 };
 
-/// The colors of facets with these attributes. `header` has 80 bytes. O(facets).
-StlColors stl_colors(std::string_view header, const std::vector<std::uint16_t>& attributes);
+/// The colors of facets with these attributes. `header` has 80 bytes. O(facets). Throws Error{cancelled}.
+StlColors stl_colors(std::string_view header, const std::vector<std::uint16_t>& attributes,
+                     const std::stop_token& stop = {});
 
 }  // namespace rimline

@@ -28,6 +28,27 @@ TEST_CASE("so has one of more faces than are collapsed one by one") {
     CHECK(enclosed_volume(simple) == doctest::Approx(enclosed_volume(mesh)).epsilon(0.01));
 }
 
+TEST_CASE("small parts far from each other are left, where a grid would join each to a point") {
+    MeshSource source = make_built_in_shape("knot", 1'100'000);
+    for (glm::vec3& position : source.positions) position *= 1e-3f;
+    const auto first = static_cast<std::uint32_t>(source.positions.size());
+    for (const glm::vec3& corner :
+         {glm::vec3(1e4f, 0, 0), glm::vec3(1e4f, 1, 0), glm::vec3(1e4f, 0, 1)})
+        source.positions.push_back(corner);
+    source.triangles.push_back({first, first + 1, first + 2});
+    const MeshSource simple = simplified(Mesh(source), 20'000);
+    CHECK(simple.triangles.size() <= 20'000);
+    CHECK(simple.triangles.size() > 1'000);
+    CHECK(simple.positions.size() < 20'000);
+}
+
+TEST_CASE("a simplified mesh can be cancelled") {
+    std::stop_source stop;
+    stop.request_stop();
+    const Mesh mesh(make_built_in_shape("torus", 20'000));
+    CHECK_THROWS_AS(simplified(mesh, 4'000, {stop.get_token(), {}}), Error);
+}
+
 TEST_CASE("a simplified mesh keeps the colors of its faces and corners where they are") {
     MeshSource source = make_built_in_shape("torus", 20'000);
     const auto is_right = [](const glm::vec3& position) { return position.x > 0.0f; };

@@ -101,7 +101,7 @@ TEST_CASE("OFF: an index of a colormap is one warning and no color") {
     CHECK(colors_of(mixed.materials, 1) == plain(k_off_red));
 }
 
-TEST_CASE("OFF: a damaged color is an error with its line") {
+TEST_CASE("OFF: what is no color is a warning with its line, and a word an error") {
     const auto face = [](const std::string& end) {
         return error_of("a.off", off_square("OFF", {""}, {"", end}));
     };
@@ -110,18 +110,32 @@ TEST_CASE("OFF: a damaged color is an error with its line") {
     };
     CHECK(face("255 0 0").empty());
     CHECK(has(face("255 red 0"), "a.off:8: 'red' is not a number; a face's color should"));
-    CHECK(has(face("255 0"), "a.off:8: a face's color has 2 numbers; it needs 3 or 4"));
-    CHECK(has(face("256 0 0"), "a.off:8: a face's color has a channel '256'"));
-    CHECK(has(face("0 -1 0 9"), "a.off:8: a face's color has a channel '-1'"));
-    CHECK(has(face("nan 0 0"), "a.off:8: a face's color has a channel 'nan'"));
-    CHECK(has(face("1e999 0 0"), "a.off:8: a face's color has a channel '1e999'"));
-    CHECK(has(face("1 0 0 inf"), "a.off:8: a face's color has a channel 'inf'"));
+    const auto warning = [](const std::string& kind, const std::string& vertex_end,
+                            const std::string& face_end) {
+        const bool has_vertices = kind == "COFF";
+        const MeshSource source = read_text(
+            "a.off",
+            off_square(kind, {has_vertices ? "0 0 9" : "", vertex_end}, {"0 0 9", face_end}));
+        REQUIRE(source.warnings.size() == 1);
+        CHECK(colors_of(source.materials, 0).size() == 3);
+        for (const glm::vec3& color : source.materials.corner_colors)
+            CHECK(std::min({color.x, color.y, color.z}) >= 0.0f);
+        return source.warnings.front();
+    };
+    CHECK(has(warning("OFF", "", "255 0"), "a.off:8: a face's color has 2 numbers, not 3 or 4"));
+    for (const char* channel : {"256", "-1", "nan", "1e999"})
+        CHECK(
+            has(warning("OFF", "", std::string("0 ") + channel + " 0 9"),
+                std::string("a.off:8: a face's color has a channel '") + channel + "', which is"));
+    for (const char* alpha : {"-1", "nan", "inf", "999"})
+        CHECK(read_text("a.off", off_square("OFF", {""}, {"", std::string("1 0 0 ") + alpha}))
+                  .warnings.empty());
+    CHECK(
+        has(warning("COFF", "0 300 0", "0 0 9"), "a.off:4: a vertex's color has a channel '300'"));
     CHECK(has(face("1 0 0 0 0"), "a.off:8: '0' after a face"));
     CHECK(has(face("x"), "a.off:8: 'x' is not a number"));
     CHECK(vertex("9 9 9").empty());
     CHECK(has(vertex("9 9 x"), "a.off:4: 'x' is not a number; a vertex's color should"));
-    CHECK(has(vertex("nan 0 0 1"), "a.off:4: a vertex's color has a channel 'nan'"));
-    CHECK(has(vertex("0 300 0"), "a.off:4: a vertex's color has a channel '300'"));
 }
 
 TEST_CASE("OFF: damaged colored files are an error or sound") {

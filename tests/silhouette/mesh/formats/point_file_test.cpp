@@ -276,6 +276,13 @@ TEST_CASE("Text: commas or semicolons separate columns, and the first line may n
     const PointSource colored = read_points("a.csv", "x,y,z,r,g,b\n1,2,3,9,8,7\n-4,0.5,6,1,2,3\n");
     REQUIRE(colored.colors.size() == 2);
     CHECK(colored.colors[1] == PointColor{1, 2, 3});
+    // Names say where colors begin, as numbers alone could not.
+    const PointSource named =
+        read_points("a.csv", "x,y,z,R,G,B,Intensity\n1,2,3,9,8,7,5\n-4,0.5,6,1,2,3,5\n");
+    REQUIRE(named.colors.size() == 2);
+    CHECK(named.colors[1] == PointColor{1, 2, 3});
+    CHECK(named.intensities.empty());
+    CHECK(read_points("a.csv", "1,2,3,9,8,7,5\n").intensities.size() == 1);
     // Decimals with a comma are not taken for columns.
     CHECK(has(point_error("a.xyz", "0,5 1,2 3,4\n"), "a.xyz:1: '5 1' is not a number"));
     CHECK(has(point_error("a.csv", "0,5;1,2;3,4\n"), "a.csv:1: '0,5' is not a number"));
