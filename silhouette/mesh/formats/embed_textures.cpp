@@ -46,10 +46,7 @@ const char* picture_mime_type(std::string_view bytes) noexcept {
 void embed_textures(MeshSource& source, const LongCall& call) {
     FaceMaterials& materials = source.materials;
     if (materials.corner_uvs.empty()) return;
-    std::vector<bool> is_used(materials.textures.size());
-    for (std::size_t face = 0; face < materials.of_face.size(); ++face)
-        if (const TextureId texture = materials.texture_of(face); texture != k_no_texture)
-            is_used[index(texture)] = true;
+    const std::vector<bool> is_used = used_textures(materials);
     // By file, or by the bytes within the model's file. `kept` keeps the addresses of those taken.
     std::map<std::pair<std::filesystem::path, const std::string*>, Bytes> read;
     std::vector<Bytes> kept;

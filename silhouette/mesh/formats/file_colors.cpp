@@ -77,6 +77,14 @@ void drop_unused_materials(MeshSource& source) noexcept {
     materials.corner_uvs = {};
 }
 
+std::vector<bool> used_textures(const FaceMaterials& materials) {
+    std::vector<bool> used(materials.textures.size());
+    for (std::size_t face = 0; face < materials.of_face.size(); ++face)
+        if (const TextureId texture = materials.texture_of(face); texture != k_no_texture)
+            used[index(texture)] = true;
+    return used;
+}
+
 void add_warning(std::vector<std::string>& warnings, std::string_view warning) {
     constexpr std::size_t k_max_warnings = 20;
     if (warnings.size() < k_max_warnings)

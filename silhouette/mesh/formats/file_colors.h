@@ -48,6 +48,9 @@ void color_corners(MeshSource& source, std::span<const glm::vec3> vertex_colors,
 /// Makes the materials empty if no face has one, and drops the texture coordinates if no face has a texture.
 void drop_unused_materials(MeshSource& source) noexcept;
 
+/// For each of FaceMaterials::textures whether a face has it. O(faces).
+std::vector<bool> used_textures(const FaceMaterials& materials);
+
 /// Appends a warning, with names from the file as printable_text() has them. A file can have one in each line: after
 /// 20, one more says that others follow.
 void add_warning(std::vector<std::string>& warnings, std::string_view warning);

@@ -49,10 +49,7 @@ PicturePointer read_picture(const MaterialTexture& texture, const LongCall& call
 void read_textures(MeshSource& source, const LongCall& call) {
     FaceMaterials& materials = source.materials;
     if (materials.corner_uvs.empty()) return;
-    std::vector<bool> is_used(materials.textures.size());
-    for (std::size_t face = 0; face < materials.of_face.size(); ++face)
-        if (const TextureId texture = materials.texture_of(face); texture != k_no_texture)
-            is_used[index(texture)] = true;
+    const std::vector<bool> is_used = used_textures(materials);
     // By file, or by the bytes within the model's file. Null: could not be read.
     std::map<std::pair<std::filesystem::path, const std::string*>, PicturePointer> pictures;
     for (std::size_t t = 0; t < materials.textures.size(); ++t) {
