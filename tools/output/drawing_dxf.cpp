@@ -26,8 +26,8 @@ std::string layer_name(const PageLine& line) {
     return name;
 }
 
-// R12 has ASCII. AutoCAD reads other characters as \U+XXXX, one for each number of 16 bits in UTF-16, and so do
-// programs that read its files.
+// R12 has ASCII. AutoCAD reads other characters as \U+ and four hexadecimal digits, one for each number of 16 bits in
+// UTF-16, and so do programs that read its files.
 std::string dxf_text(std::string_view text) {
     const std::string printable = printable_text(text);  // In UTF-8.
     std::string ascii;

@@ -1,10 +1,14 @@
 // XYZ, PTS and CSV: one point per line. point_file.h describes the columns.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
+#include <initializer_list>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "silhouette/mesh/formats/float_of.h"
 #include "silhouette/mesh/formats/readers.h"
@@ -35,7 +39,7 @@ std::string_view take_column(std::string_view& line, char separator) {
     return column.substr(0, column.find_last_not_of(k_blanks) + 1);
 }
 
-// What the first columns of a line are named, if it names them: x, y, z, and maybe a triple or an intensity next.
+// What the first columns of a line are named, if it names them: x, y, z, and maybe a color or a normal next.
 enum class Header : std::uint8_t { none, with_position, with_triple };
 Header header_of(std::string_view line) {
     const char separator = separator_of(line);
@@ -109,7 +113,7 @@ private:
                 header_ = header;
                 return false;
             }
-        const char separator = separator_.value_or(separator_of(line));
+        const char separator = separator_ ? *separator_ : separator_of(line);
         for (count_ = 0; !line.empty();) {
             if (count_ == k_max_columns)
                 scanner_.fail("a point with more than " + std::to_string(k_max_columns) +

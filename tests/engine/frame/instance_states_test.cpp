@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "engine/renderer.h"
 #include "engine/view_defaults.h"
@@ -65,6 +66,27 @@ TEST_CASE("instances and lights that stay keep their trackers when others come a
     CHECK(renderer.silhouette(0, 0)->slots.address == second);
     CHECK(renderer.report().bytes_streamed == 0);
     CHECK(renderer.report().meshes_uploaded == 0);
+}
+
+TEST_CASE("meshes that a scene keeps stay on the device, until a scene does not") {
+    RIMLINE_OPEN_GPU(gpu);
+    const tests::Model first(make_built_in_shape("torus", 1000));
+    const tests::Model second(make_built_in_shape("box", 12));
+    Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
+    const auto uploads = [&](const tests::Model& shown, std::vector<const HoughOctree*> kept) {
+        Scene scene = kept_scene(shown.mesh, shown.octree, Style::ink);
+        scene.kept = std::move(kept);
+        renderer.render(scene, 64, 64);
+        return renderer.report().meshes_uploaded;
+    };
+    CHECK(uploads(first, {}) == 1);
+    CHECK(uploads(second, {&first.octree}) == 1);
+    CHECK(uploads(first, {&second.octree}) == 0);
+    CHECK(uploads(second, {&first.octree}) == 0);
+    // The same instances, and nothing else any more.
+    CHECK(uploads(second, {}) == 0);
+    CHECK(uploads(first, {}) == 1);
+    CHECK(uploads(second, {}) == 1);
 }
 
 TEST_CASE("buffers of a silhouette are those of the frame recorded last, or none") {
