@@ -357,6 +357,18 @@ std::optional<WindowRenderer::Frame> ViewLoop::draw_new(bool is_fine) {
     return renderer_.draw(picture, context_.drawing(), frame_quality, captures_next_);
 }
 
+// On a device that is slow, after a picture at rest. The stand-in of a large model comes first.
+bool ViewLoop::rehearses() const {
+    return !is_rehearsed_ && !(reducer_ && reducer_->stage()) && renderer_.has_kept_picture();
+}
+
+// The first frame that moves is answered in time only if nothing has to be compiled for it.
+void ViewLoop::rehearse() {
+    is_rehearsed_ = true;
+    renderer_.rehearse(picture(false, {}), quality(false),
+                       [&] { return is_quiet_for(k_asking_s); });
+}
+
 bool ViewLoop::draw() {
     const bool is_fine = is_frame_fine();
     const VkExtent2D size = window_.size_px();
@@ -386,6 +398,7 @@ bool ViewLoop::draw() {
     if (is_fine) {
         coarse_frames_ = 0;
         coarseness_.add_fine(frame_ms);
+        is_rehearsed_ = !coarseness_.is_slow_device() || options_.frames > 0;
     }
     if (!frame) return false;
     note_frame(*frame);
@@ -409,6 +422,7 @@ double ViewLoop::waiting_time() const {
     if (!window_.is_shown()) return k_idle_s;
     if (frames_due_ > 0 || is_moving_) return 0.0;
     if (is_coarse_) return std::max(k_rest_s - (now_s() - last_change_s_), 1e-3);
+    if (rehearses()) return k_asking_s;
     return k_idle_s;
 }
 
@@ -426,12 +440,17 @@ bool ViewLoop::step(bool always) {
     }
     const bool has_new = show_loaded();
     if (reducer_)
-        if (auto reduced = reducer_->take())
+        if (auto reduced = reducer_->take()) {
             session_.document().model()->set_reduced(*std::move(reduced));
+            is_rehearsed_ = false;
+        }
     const bool has_views = options_.panel && gallery_state() != shown_gallery_;
     if (has_new || has_views || loader_.stage()) frames_due_ = k_frames_after_event;
     const bool refines = is_coarse_ && now_s() - last_change_s_ >= k_rest_s;
-    if (!always && frames_due_ == 0 && !is_moving_ && !refines) return false;
+    if (!always && frames_due_ == 0 && !is_moving_ && !refines) {
+        if (!is_coarse_ && rehearses()) rehearse();
+        return false;
+    }
     frames_due_ = std::max(frames_due_ - 1, 0);
     if (!is_laid_out_) lay_out();
     build_panel();

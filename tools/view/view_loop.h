@@ -85,6 +85,8 @@ public:
     /// Whether the picture that is shown was drawn faster: on a CPU device at the lower resolution and of few faces, and
     /// without exact lines.
     bool is_coarse() const noexcept { return is_coarse_; }
+    /// Whether the picture is fine and nothing is left to be done until the next event.
+    bool is_at_rest() const { return !is_coarse_ && !rehearses(); }
 
     /// The window's area that the panel and the Hough space beside it leave free.
     FreeArea free_area() const;
@@ -126,6 +128,8 @@ private:
     ViewPicture picture(bool is_fine, const LongCall& call) const;
     std::optional<WindowRenderer::Frame> draw_new(bool is_fine);
     bool draw_kept();
+    bool rehearses() const;
+    void rehearse();
     void note_frame(WindowRenderer::Frame& frame);
     double waiting_time() const;
     bool is_quiet_for(double wait_s);
@@ -171,6 +175,7 @@ private:
     bool is_moving_ = false;
     bool is_coarse_ = false;
     std::uint32_t coarse_frames_ = 0;  // Since the last fine one.
+    bool is_rehearsed_ = true;         // What comes after this picture, if it moves.
     int frames_due_ = 0;
     bool is_laid_out_ = false;              // The panel, before the first frame.
     std::uint32_t frames_of_document_ = 0;  // Drawn since it was opened.

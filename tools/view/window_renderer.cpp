@@ -71,7 +71,10 @@ struct WindowRenderer::OnDevice {
 
     PictureTarget shown_target() const;
     PictureTarget kept_target(VkExtent2D extent) { return target_of(kept, extent); }
-    void record_kept(Commands commands);
+    struct WindowPicture;
+    void record_kept(Commands commands) { record_enlarged(commands, kept, shown_target()); }
+    // Leaves `to` as an attachment.
+    void record_enlarged(Commands commands, WindowPicture& picture, const PictureTarget& to);
     void set_goes_on(std::uint32_t value) { std::memcpy(goes_on.mapped(), &value, sizeof value); }
     void record_overlay(Commands commands, std::uint32_t ring_slot, const OverlayDrawing& drawing);
     void make_renderer(const ViewPicture& scene, std::uint32_t scale);
@@ -102,6 +105,7 @@ struct WindowRenderer::OnDevice {
     std::uint32_t last_scale = 0;
     // A picture without the panel; a coarse one is smaller than the window.
     struct WindowPicture {
+        VkImageUsageFlags copying = VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
         Image image;
         VkExtent2D extent{};
         VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
@@ -111,6 +115,7 @@ struct WindowRenderer::OnDevice {
     WindowPicture kept;    // The last one.
     WindowPicture beside;  // The one that takes its place when it is done.
     bool has_kept = false;
+    WindowPicture rehearsed{VK_IMAGE_USAGE_TRANSFER_DST_BIT};  // Nobody sees it.
     Buffer goes_on;  // A FrameCondition: whether the picture beside is still wanted.
 };
 
@@ -124,13 +129,12 @@ PictureTarget WindowRenderer::OnDevice::shown_target() const {
 PictureTarget WindowRenderer::OnDevice::target_of(WindowPicture& picture, VkExtent2D extent) {
     if (picture.extent.width != extent.width || picture.extent.height != extent.height) {
         wait_for_all();
-        picture = {};
-        picture.image =
-            Image(device.context(),
-                  {.format = swapchain.format(),
-                   .extent = extent,
-                   .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT},
-                  "the window's picture");
+        picture = {picture.copying};
+        picture.image = Image(device.context(),
+                              {.format = swapchain.format(),
+                               .extent = extent,
+                               .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | picture.copying},
+                              "the window's picture");
         picture.extent = extent;
     }
     picture.layout = k_drawn;
@@ -140,28 +144,27 @@ PictureTarget WindowRenderer::OnDevice::target_of(WindowPicture& picture, VkExte
             .extent = extent};
 }
 
-// Into the window.
-void WindowRenderer::OnDevice::record_kept(Commands commands) {
+void WindowRenderer::OnDevice::record_enlarged(Commands commands, WindowPicture& picture,
+                                               const PictureTarget& to) {
     constexpr VkImageLayout k_source = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
     constexpr VkImageLayout k_enlarged = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
-    const VkImageLayout layout = kept.layout;
-    const PictureTarget from = kept_target(kept.extent);
-    record_barrier(
-        commands, k_drawing, k_enlarging,
-        {{from, layout, k_source}, {shown_target(), VK_IMAGE_LAYOUT_UNDEFINED, k_enlarged}});
-    kept.layout = k_source;
+    const VkImageLayout layout = picture.layout;
+    const PictureTarget from = target_of(picture, picture.extent);
+    record_barrier(commands, k_drawing, k_enlarging,
+                   {{from, layout, k_source}, {to, VK_IMAGE_LAYOUT_UNDEFINED, k_enlarged}});
+    picture.layout = k_source;
     const auto corner = [](VkExtent2D extent) {
         return VkOffset3D{static_cast<std::int32_t>(extent.width),
                           static_cast<std::int32_t>(extent.height), 1};
     };
     constexpr VkImageSubresourceLayers k_color{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
     const VkImageBlit region{.srcSubresource = k_color,
-                             .srcOffsets = {{}, corner(kept.extent)},
+                             .srcOffsets = {{}, corner(from.extent)},
                              .dstSubresource = k_color,
-                             .dstOffsets = {{}, corner(swapchain.extent())}};
-    commands->CmdBlitImage(commands, from.image, k_source, swapchain.image(), k_enlarged, 1,
-                           &region, VK_FILTER_LINEAR);
-    record_barrier(commands, k_enlarging, k_drawing, {{shown_target(), k_enlarged, k_drawn}});
+                             .dstOffsets = {{}, corner(to.extent)}};
+    commands->CmdBlitImage(commands, from.image, k_source, to.image, k_enlarged, 1, &region,
+                           VK_FILTER_LINEAR);
+    record_barrier(commands, k_enlarging, k_drawing, {{to, k_enlarged, k_drawn}});
 }
 
 void WindowRenderer::OnDevice::record_overlay(Commands commands, std::uint32_t ring_slot,
@@ -363,24 +366,29 @@ WindowRenderer::Beside WindowRenderer::draw_beside(const ViewPicture& scene,
                                                    const FrameQuality& quality, FrameReport& report,
                                                    const std::function<bool()>& is_wanted) {
     try {
-        if (!begin_beside(scene, quality, report)) return Beside::impossible;
-        const VkFence done = gpu_->ring[(gpu_->frames - 1) % k_ring_slots].done;
-        while (!is_signaled(gpu_->device.context(), done)) {
-            if (is_wanted()) continue;
-            gpu_->set_goes_on(0);
-            return Beside::given_up;
-        }
+        if (!begin_beside(scene, quality, false, report)) return Beside::impossible;
+        const Beside became = finish_beside(is_wanted);
+        if (became == Beside::done) std::swap(gpu_->kept, gpu_->beside);
+        return became;
     } catch (const std::exception&) {
         gpu_.reset();
         return Beside::impossible;
     }
-    std::swap(gpu_->kept, gpu_->beside);
-    return Beside::done;
+}
+
+void WindowRenderer::rehearse(const ViewPicture& scene, const FrameQuality& quality,
+                              const std::function<bool()>& is_wanted) {
+    try {
+        FrameReport report;
+        if (begin_beside(scene, quality, true, report)) finish_beside(is_wanted);
+    } catch (const std::exception&) {
+        gpu_.reset();  // The next frame begins anew, and tells what repeats.
+    }
 }
 
 // Returns false where the window's size is not that of its images.
 bool WindowRenderer::begin_beside(const ViewPicture& scene, const FrameQuality& quality,
-                                  FrameReport& report) {
+                                  bool enlarges, FrameReport& report) {
     const VkExtent2D size = window_->size_px();
     const VkExtent2D extent = gpu_->swapchain.extent();
     if (size.width != extent.width || size.height != extent.height) return false;
@@ -398,6 +406,8 @@ bool WindowRenderer::begin_beside(const ViewPicture& scene, const FrameQuality& 
     const UploadPoint uploaded = gpu_->prepare(scene, target);
     const Commands commands = begin_commands(context, slot.commands);
     report = gpu_->record_scene(commands, commands, scene, target);
+    if (enlarges)
+        gpu_->record_enlarged(commands, gpu_->beside, gpu_->target_of(gpu_->rehearsed, extent));
     vk_check(commands->EndCommandBuffer(commands), "vkEndCommandBuffer");
     const VkFence fence = slot.done;
     vk_check(context.vk->ResetFences(context.device, 1, &fence), "vkResetFences");
@@ -406,6 +416,16 @@ bool WindowRenderer::begin_beside(const ViewPicture& scene, const FrameQuality& 
     submit_commands(context, submission);
     ++gpu_->frames;
     return true;
+}
+
+WindowRenderer::Beside WindowRenderer::finish_beside(const std::function<bool()>& is_wanted) {
+    const VkFence done = gpu_->ring[(gpu_->frames - 1) % k_ring_slots].done;
+    while (!is_signaled(gpu_->device.context(), done)) {
+        if (is_wanted()) continue;
+        gpu_->set_goes_on(0);
+        return Beside::given_up;
+    }
+    return Beside::done;
 }
 
 Picture WindowRenderer::picture(const ViewPicture& scene, std::uint32_t width,

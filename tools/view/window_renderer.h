@@ -79,6 +79,10 @@ public:
     /// it should wait a few milliseconds for events. has_kept_picture() must be true.
     Beside draw_beside(const ViewPicture& scene, const FrameQuality& quality, FrameReport& report,
                        const std::function<bool()>& is_wanted);
+    /// Draws a picture as draw_beside() does, and throws it away. The next one like it finds shaders compiled, images
+    /// allocated and meshes uploaded: its first frame takes what all others take.
+    void rehearse(const ViewPicture& scene, const FrameQuality& quality,
+                  const std::function<bool()>& is_wanted);
 
     /// Draws a picture offscreen and without the panel, as `rimline render` and `points` do.
     Picture picture(const ViewPicture& scene, std::uint32_t width, std::uint32_t height);
@@ -94,7 +98,10 @@ public:
 private:
     struct OnDevice;
 
-    bool begin_beside(const ViewPicture& scene, const FrameQuality& quality, FrameReport& report);
+    // `enlarges`: as a frame that shows it does.
+    bool begin_beside(const ViewPicture& scene, const FrameQuality& quality, bool enlarges,
+                      FrameReport& report);
+    Beside finish_beside(const std::function<bool()>& is_wanted);
     // Without a scene, the kept picture.
     std::optional<Frame> draw_once(const ViewPicture* scene, const OverlayDrawing& overlay,
                                    const FrameQuality& quality, bool capture);

@@ -96,6 +96,8 @@ private:
                 if (beside && renderer.has_kept_picture() &&
                     renderer.draw_beside(scene, k_quality, report, is_wanted) ==
                         WindowRenderer::Beside::done) {
+                    renderer.rehearse(scene, k_quality, is_wanted);
+                    if (!renderer.has_kept_picture()) continue;
                     if (auto frame = renderer.draw_kept(overlay_, true))
                         return std::move(frame->picture);
                 }

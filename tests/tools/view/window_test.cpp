@@ -124,6 +124,16 @@ TEST_CASE("a picture that is drawn beside the one that is shown takes its place,
         CHECK(draw_beside(true) == WindowRenderer::Beside::done);
         CHECK(difference(shows(), turned) <= 1);
         CHECK(difference(shows(), turned) <= 1);
+        // A rehearsal shows nothing, wanted to its end or not.
+        orbit(shown.session.camera, {0.4, 0.1});
+        for (const bool is_wanted : {true, false, true}) {
+            renderer.rehearse(shown.session.picture(std::nullopt),
+                              {.scale = 1, .divisor = 3, .shadows = false},
+                              [&] { return is_wanted; });
+            CHECK(difference(shows(), turned) <= 1);
+        }
+        CHECK(draw_beside(true) == WindowRenderer::Beside::done);
+        CHECK(difference(shows(), shown.rendered(k_width, k_height)) <= 1);
         // Of a window of another size there is none.
         shown.resize(401, 203);
         CHECK(draw_beside(true) == WindowRenderer::Beside::impossible);
@@ -462,11 +472,22 @@ TEST_CASE("while a model of many faces moves on a slow device one of few stands 
     shown.capture_at_rest();
     // Both stay on the device.
     CHECK(shown.loop->report().meshes_uploaded == 0);
-    orbit(shown.session.camera, {1e-4, 0.0});
-    tests::tap_key(shown.window, GLFW_KEY_LEFT_SHIFT);
-    shown.capture();
-    REQUIRE(shown.loop->is_coarse());
-    CHECK(shown.loop->report().meshes_uploaded == 0);
+    const auto moves = [&] {
+        orbit(shown.session.camera, {1e-4, 0.0});
+        tests::tap_key(shown.window, GLFW_KEY_LEFT_SHIFT);
+        shown.capture();
+        REQUIRE(shown.loop->is_coarse());
+        return shown.loop->report().meshes_uploaded;
+    };
+    CHECK(moves() == 0);
+    // Where nothing has happened for a moment, it is there before it is needed.
+    for (const bool waits : {false, true}) {
+        shown.capture_at_rest();
+        shown.loop->renderer().recreate();
+        shown.capture_at_rest();
+        for (int i = 0; waits && i < 500 && !shown.loop->is_at_rest(); ++i) shown.loop->step(false);
+        CHECK(moves() == (waits ? 0 : 1));
+    }
     // What is done for a model ends with it.
     open("shape:knot:50000");
     open("shape:box");
