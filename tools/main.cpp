@@ -16,6 +16,7 @@
 #include <exception>
 #include <memory>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -50,6 +51,7 @@ using rimline::tools::UsageError;
 
 constexpr const char* k_version = "rimline " RIMLINE_VERSION;
 constexpr const char* k_json_description = "Print one JSON object and nothing else";
+constexpr const char* k_quiet_description = "Print no summary, warnings or progress";
 constexpr const char* k_footer =
     "MODEL is a file (OBJ, PLY, STL, OFF, glTF, GLB) or shape:NAME[:FACES].\n"
     "rimline SUBCOMMAND --help lists a subcommand's options.\n\n"
@@ -121,12 +123,6 @@ void flush_output() {
                     (errno == 0 ? " all of it" : ": " + std::generic_category().message(errno)));
 }
 
-std::vector<std::string> names_of(const std::vector<std::unique_ptr<Command>>& commands) {
-    std::vector<std::string> names;
-    for (const auto& command : commands) names.push_back(command->name());
-    return names;
-}
-
 // The script for a shell, or the manual page for none.
 std::string document(const rimline::tools::CommandRow& table, const std::string& shell) {
     if (shell == "bash") return rimline::tools::bash_completion(table);
@@ -135,67 +131,108 @@ std::string document(const rimline::tools::CommandRow& table, const std::string&
     return rimline::tools::manual_page(table, RIMLINE_VERSION);
 }
 
-ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
-    const auto started = rimline::tools::RunTimes::Clock::now();
-    CLI::App app("Finds the silhouettes of 3D models, keeps them up to date, and draws with them.",
-                 "rimline");
-    app.set_version_flag("--version", k_version, "Print the version and exit");
-    app.set_help_flag("-h,--help", "Print this help and exit");
-    app.require_subcommand(0, 1);
-    app.footer(k_footer);
-    app.formatter(std::make_shared<rimline::tools::HelpFormatter>());
+// The program's commands and options, and the values that the arguments give them.
+class Program {
+public:
+    Program();
 
-    bool json = false, quiet = false, verbose = false;
-    std::uint32_t threads = 0;
-    const std::vector<std::unique_ptr<Command>> commands = make_commands();
-    const auto add_shared_options = [&](CLI::App& sub, bool has_json) {
-        sub.add_flag("--json", json, k_json_description)->group(has_json ? "Output" : "");
-        sub.add_flag("--quiet", quiet, "Print no summary, warnings or progress")->group("Output");
-        sub.add_flag("--verbose", verbose, "Print to standard error where the time went")
-            ->group("Output");
-        rimline::tools::add_count(sub, "--threads", threads, 1, 1024,
-                                  "Threads of the parallel parts (default: all)")
-            ->default_str("")
-            ->group("Machine");
-        // Works everywhere. Only the program's own help lists it.
-        sub.set_version_flag("--version", k_version)->group("");
-    };
-    for (const auto& command : commands) {
-        CLI::App* sub = app.add_subcommand(command->name(), command->summary());
+    // Parses the arguments after the program's name and does what they ask for.
+    ExitStatus run(std::vector<std::string> arguments, std::stop_token stop);
+
+private:
+    void add_shared_options(CLI::App& sub, bool has_json);
+    std::optional<ExitStatus> parse(std::vector<std::string> arguments);
+    ExitStatus report_parse_error(const CLI::ParseError& error, bool has_dashed_names);
+    ExitStatus print(const std::string& text);
+    ExitStatus run_command(std::stop_token stop);
+    void limit_threads() const;
+    std::vector<std::unique_ptr<Command>>::const_iterator command_of(const std::string& name) const;
+    std::vector<std::string> names() const;
+
+    rimline::tools::RunTimes::Clock::time_point started_ = rimline::tools::RunTimes::Clock::now();
+    CLI::App app_{"Finds the silhouettes of 3D models, keeps them up to date, and draws with them.",
+                  "rimline"};
+    std::vector<std::unique_ptr<Command>> commands_ = make_commands();
+    rimline::tools::CommandRow table_;  // Of all options.
+    bool json_ = false;
+    bool quiet_ = false;
+    bool verbose_ = false;
+    std::uint32_t threads_ = 0;  // 0: all.
+    std::string completion_;
+    bool wants_manual_ = false;
+};
+
+Program::Program() {
+    app_.set_version_flag("--version", k_version, "Print the version and exit");
+    app_.set_help_flag("-h,--help", "Print this help and exit");
+    app_.require_subcommand(0, 1);
+    app_.footer(k_footer);
+    app_.formatter(std::make_shared<rimline::tools::HelpFormatter>());
+    for (const auto& command : commands_) {
+        CLI::App* sub = app_.add_subcommand(command->name(), command->summary());
         sub->set_help_flag("-h,--help", "Print this help and exit");
         command->add_options(*sub);
         add_shared_options(*sub, command->has_json());
         for (CLI::App* nested : sub->get_subcommands([](CLI::App*) { return true; }))
             add_shared_options(*nested, command->has_json());
     }
-    std::string completion;
-    bool wants_manual = false;
-    app.add_option("--completion", completion, "Print a script that completes rimline in a shell")
+    app_.add_option("--completion", completion_, "Print a script that completes rimline in a shell")
         ->check(CLI::IsMember({"bash", "zsh", "fish"}));
-    app.add_flag("--manual", wants_manual, "Print the manual page, for man -l -");
-    app.add_flag("--json", json, k_json_description);
-    app.add_flag("--quiet", quiet, "Print no summary, warnings or progress");
+    app_.add_flag("--manual", wants_manual_, "Print the manual page, for man -l -");
+    app_.add_flag("--json", json_, k_json_description);
+    app_.add_flag("--quiet", quiet_, k_quiet_description);
+    table_ = rimline::tools::option_table(app_);
+}
 
-    const rimline::tools::CommandRow table = rimline::tools::option_table(app);
+void Program::add_shared_options(CLI::App& sub, bool has_json) {
+    sub.add_flag("--json", json_, k_json_description)->group(has_json ? "Output" : "");
+    sub.add_flag("--quiet", quiet_, k_quiet_description)->group("Output");
+    sub.add_flag("--verbose", verbose_, "Print to standard error where the time went")
+        ->group("Output");
+    rimline::tools::add_count(sub, "--threads", threads_, 1, 1024,
+                              "Threads of the parallel parts (default: all)")
+        ->default_str("")
+        ->group("Machine");
+    // Works everywhere. Only the program's own help lists it.
+    sub.set_version_flag("--version", k_version)->group("");
+}
 
+std::vector<std::unique_ptr<Command>>::const_iterator Program::command_of(
+    const std::string& name) const {
+    return std::ranges::find_if(commands_,
+                                [&](const auto& command) { return command->name() == name; });
+}
+
+std::vector<std::string> Program::names() const {
+    std::vector<std::string> names;
+    for (const auto& command : commands_) names.push_back(command->name());
+    return names;
+}
+
+ExitStatus Program::print(const std::string& text) {
+    rimline::tools::print_text(text);
+    flush_output();
+    return ExitStatus::success;
+}
+
+// Returns a status where no command is to be run.
+std::optional<ExitStatus> Program::parse(std::vector<std::string> arguments) {
     // Checked first: CLI11 would take a following --help as the program's own.
-    std::vector<std::string> arguments = arguments_of(argc, argv);
     const auto first = std::ranges::find_if_not(
         arguments, [](const std::string& argument) { return argument.starts_with('-'); });
     // The value of --completion is no subcommand.
     const bool has_value = first != arguments.begin() && first != arguments.end() &&
                            *std::prev(first) == "--completion";
-    const auto is_first = [&](const auto& command) { return command->name() == *first; };
-    if (first != arguments.end() && !has_value && std::ranges::none_of(commands, is_first))
-        return report_usage("there is no subcommand '" + *first + "'" +
-                                rimline::tools::did_you_mean(*first, names_of(commands)),
-                            app);
     bool has_dashed_names = false;
     if (first != arguments.end() && !has_value) {
-        const auto named = std::ranges::find_if(commands, is_first);
+        const auto command = command_of(*first);
+        if (command == commands_.end())
+            return report_usage("there is no subcommand '" + *first + "'" +
+                                    rimline::tools::did_you_mean(*first, names()),
+                                app_);
         const auto rest = std::find(first, arguments.end(), "--");
-        if (rest != arguments.end() && (*named)->takes_rest()) {
-            (*named)->take_rest({std::next(rest), arguments.end()});
+        if (rest != arguments.end() && (*command)->takes_rest()) {
+            (*command)->take_rest({std::next(rest), arguments.end()});
             arguments.erase(rest, arguments.end());
         } else if (rest != arguments.end()) {
             has_dashed_names = take_names(arguments, rest);
@@ -203,67 +240,73 @@ ExitStatus parse_and_run(int argc, char** argv, std::stop_token stop) {
     }
     std::ranges::reverse(arguments);  // The order that CLI11 expects.
     try {
-        app.parse(std::move(arguments));
+        app_.parse(std::move(arguments));
     } catch (const CLI::ParseError& e) {
-        if (e.get_exit_code() == 0) {  // --help and --version arrive as exceptions.
-            std::ostringstream text;
-            app.exit(e, text, text);
-            rimline::tools::print_text(text.str());
-            flush_output();
-            return ExitStatus::success;
-        }
-        const bool lacks_option = dynamic_cast<const CLI::ExtrasError*>(&e) != nullptr ||
-                                  dynamic_cast<const CLI::RequiredError*>(&e) != nullptr;
-        const char* advice =
-            has_dashed_names && lacks_option ? "; what follows -- are names, no options" : "";
-        return report_usage(rimline::tools::first_usage_words(e, app) + advice, app);
+        return report_parse_error(e, has_dashed_names);
     }
-    if (!completion.empty() || wants_manual) {
-        rimline::tools::print_text(document(table, completion));
-        flush_output();
-        return ExitStatus::success;
-    }
-    if (app.get_subcommands().empty()) {
-        std::string names;
-        for (const std::string& name : names_of(commands)) names += " " + name;
-        std::fprintf(stderr,
-                     "usage: rimline SUBCOMMAND [MODEL] [options]\n"
-                     "subcommands:%s\n"
-                     "rimline render alone draws a picture, rimline.png; rimline --help tells "
-                     "more.\n",
-                     names.c_str());
-        return ExitStatus::wrong_usage;
-    }
+    return std::nullopt;
+}
 
-    const std::string chosen = app.get_subcommands().front()->get_name();
-    const auto command = std::find_if(commands.begin(), commands.end(),
-                                      [&](const auto& c) { return c->name() == chosen; });
-    const std::uint32_t wanted = threads > 0 ? threads : rimline::tools::usual_threads();
+ExitStatus Program::report_parse_error(const CLI::ParseError& error, bool has_dashed_names) {
+    if (error.get_exit_code() == 0) {  // --help and --version arrive as exceptions.
+        std::ostringstream text;
+        app_.exit(error, text, text);
+        return print(text.str());
+    }
+    const bool lacks_option = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
+                              dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+    const char* advice =
+        has_dashed_names && lacks_option ? "; what follows -- are names, no options" : "";
+    return report_usage(rimline::tools::first_usage_words(error, app_) + advice, app_);
+}
+
+ExitStatus Program::run(std::vector<std::string> arguments, std::stop_token stop) {
+    if (const std::optional<ExitStatus> status = parse(std::move(arguments))) return *status;
+    if (!completion_.empty() || wants_manual_) return print(document(table_, completion_));
+    if (!app_.get_subcommands().empty()) return run_command(std::move(stop));
+    std::string words;
+    for (const std::string& name : names()) words += " " + name;
+    std::fprintf(stderr,
+                 "usage: rimline SUBCOMMAND [MODEL] [options]\n"
+                 "subcommands:%s\n"
+                 "rimline render alone draws a picture, rimline.png; rimline --help tells "
+                 "more.\n",
+                 words.c_str());
+    return ExitStatus::wrong_usage;
+}
+
+void Program::limit_threads() const {
+    const std::uint32_t wanted = threads_ > 0 ? threads_ : rimline::tools::usual_threads();
     const std::uint32_t startable = rimline::tools::startable_threads(wanted);
     // Never destroyed: oneTBB would start the threads that it was kept from when this ends.
     alignas(tbb::global_control) static std::byte at_most[sizeof(tbb::global_control)];
-    if (threads > 0 || startable < wanted)
+    if (threads_ > 0 || startable < wanted)
         new (at_most) tbb::global_control(tbb::global_control::max_allowed_parallelism, startable);
     rimline::tools::start_threads_before_memory_is_taken(startable);
+}
+
+ExitStatus Program::run_command(std::stop_token stop) {
+    limit_threads();
+    if (quiet_) rimline::tools::be_quiet();
+    if (quiet_ && !json_) rimline::tools::drop_summary();
     try {
-        if (quiet) rimline::tools::be_quiet();
-        if (quiet && !json) rimline::tools::drop_summary();
         const Context context{
-            .json = json, .stop = std::move(stop), .times = rimline::tools::RunTimes(started)};
+            .json = json_, .stop = std::move(stop), .times = rimline::tools::RunTimes(started_)};
+        const auto command = command_of(app_.get_subcommands().front()->get_name());
         const ExitStatus status = (*command)->run(context);
         flush_output();
         context.times.end("the rest");
-        if (verbose) std::fputs(context.times.table().c_str(), stderr);
+        if (verbose_) std::fputs(context.times.table().c_str(), stderr);
         return status;
     } catch (const UsageError& e) {
-        return report_usage(e.what(), app);
+        return report_usage(e.what(), app_);
     }
 }
 
 // Throws only where there is no memory for the words.
 ExitStatus run_and_report(int argc, char** argv) {
     try {
-        return parse_and_run(argc, argv,
+        return Program().run(arguments_of(argc, argv),
                              rimline::tools::stop_on_interrupt(rimline::tools::remove_leftovers));
     } catch (const Error& e) {
         if (e.code() == ErrorCode::cancelled) rimline::tools::end_as_interrupted();

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "silhouette/mesh/face_pair_kernels.h"
+#include "silhouette/mesh/face_stars.h"
 
 namespace rimline {
 
@@ -139,8 +140,8 @@ private:
 // What one thread finds.
 struct Search {
     // Adds the pairs of faces of two nodes that may meet to `found`. Returns how many have boxes that meet.
-    std::uint64_t add(const FaceTree& tree, const FaceBlocks& blocks, const FaceTree::Node& a,
-                      const FaceTree::Node& b) {
+    std::uint64_t add(const Mesh& mesh, const FaceTree& tree, const FaceBlocks& blocks,
+                      const FaceTree::Node& a, const FaceTree::Node& b) {
         const FaceBlock &faces_a = blocks.of(a), &faces_b = blocks.of(b);
         kernels::NearFaces near;
         const std::uint32_t pairs = kernels::find_near_faces(faces_a, a.size(), faces_b, b.size(),
@@ -149,8 +150,9 @@ struct Search {
             for (std::uint32_t rest = near[i]; rest != 0; rest &= rest - 1) {
                 const auto j = static_cast<std::uint32_t>(std::countr_zero(rest));
                 const BlockedFace one(faces_a, i), other(faces_b, j);
-                if (!(one.passes_by(other) && other.passes_by(one)))
-                    found.push_back({tree.order()[a.first + i], tree.order()[b.first + j]});
+                if (one.passes_by(other) && other.passes_by(one)) continue;
+                const FacePair pair{tree.order()[a.first + i], tree.order()[b.first + j]};
+                if (!meet_in_corner_only(mesh, pair.a, pair.b)) found.push_back(pair);
             }
         return pairs;
     }
@@ -162,6 +164,10 @@ struct Search {
 bool each_near_face_pair(const Mesh& mesh, const FaceTree& tree, const TakeFacePairs& take,
                          const LongCall& call, std::uint64_t max_pairs) {
     const FaceBlocks blocks(mesh, tree, call.stop);
+    const FaceStars stars(mesh, tree, call.stop);
+    const auto are_apart = [&](const FaceTree::Node& a, const FaceTree::Node& b) {
+        return stars.are_apart(a, b);
+    };
     FaceTree::NodePairs walk(tree, k_pair_task_faces);
     tbb::enumerable_thread_specific<Search> searches;
     std::atomic<std::uint64_t> all_pairs = 0;
@@ -173,9 +179,9 @@ bool each_near_face_pair(const Mesh& mesh, const FaceTree& tree, const TakeFaceP
         tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t task) {
             Search& search = searches.local();
             std::uint64_t pairs = 0;
-            tree.each_block_pair(tasks[task],
+            tree.each_block_pair(tasks[task], are_apart,
                                  [&](const FaceTree::Node& a, const FaceTree::Node& b) {
-                                     if (goes_on) pairs += search.add(tree, blocks, a, b);
+                                     if (goes_on) pairs += search.add(mesh, tree, blocks, a, b);
                                  });
             all_pairs += pairs;
             if (all_pairs > max_pairs || (!search.found.empty() && !take(search.found)))

@@ -117,25 +117,45 @@ public:
         double done_ = 0.0;
     };
     /// Calls visit(a, b) for each pair of blocks of the two nodes whose boxes meet, once; and, if the nodes are the
-    /// same, for each block and itself.
-    template <typename Visit>
-    void each_block_pair(const NodePair& nodes, Visit&& visit) const {
+    /// same, for each block and itself. Leaves out those of two nodes, as large as they may be, that are_apart(a, b).
+    template <typename AreApart, typename Visit>
+    void each_block_pair(const NodePair& nodes, AreApart&& are_apart, Visit&& visit) const {
         const auto& [a, b] = nodes;
         if (a.number == b.number) {
             if (is_block(a)) return visit(a, a);
             const auto [low, high] = children_of(a);
-            each_block_pair({low, low}, visit);
-            each_block_pair({high, high}, visit);
-            each_block_pair({low, high}, visit);
+            each_block_pair({low, low}, are_apart, visit);
+            each_block_pair({high, high}, are_apart, visit);
+            each_block_pair({low, high}, are_apart, visit);
             return;
         }
-        if (!boxes_[a.number].meets(boxes_[b.number])) return;
+        if (!boxes_[a.number].meets(boxes_[b.number]) || are_apart(a, b)) return;
         if (is_block(a) && is_block(b)) return visit(a, b);
         if (is_block(b) || (!is_block(a) && a.size() >= b.size())) {
-            for (const Node& child : children_of(a)) each_block_pair({child, b}, visit);
+            for (const Node& child : children_of(a)) each_block_pair({child, b}, are_apart, visit);
         } else {
-            for (const Node& child : children_of(b)) each_block_pair({a, child}, visit);
+            for (const Node& child : children_of(b)) each_block_pair({a, child}, are_apart, visit);
         }
+    }
+    template <typename Visit>
+    void each_block_pair(const NodePair& nodes, Visit&& visit) const {
+        each_block_pair(
+            nodes, [](const Node&, const Node&) { return false; }, visit);
+    }
+
+    /// A value of each node that is a block or larger, by its number: of_block(node), and joined(value, value) of the
+    /// values of its children.
+    template <typename Value, typename OfBlock, typename Joined>
+    std::vector<Value> values_of_nodes(OfBlock&& of_block, Joined&& joined) const {
+        std::vector<Value> values(boxes_.size());
+        const auto set = [&](const auto& self, const Node& node) -> const Value& {
+            if (is_block(node)) return values[node.number] = of_block(node);
+            const auto [low, high] = children_of(node);
+            const Value& one = self(self, low);
+            return values[node.number] = joined(one, self(self, high));
+        };
+        if (!order_.empty()) set(set, Node{0, 0, static_cast<std::uint32_t>(order_.size())});
+        return values;
     }
 
 private:

@@ -22,7 +22,7 @@ namespace {
 
 // A projection has about twenty rounding errors of 2^-53, relative to the projected length.
 constexpr double k_rounding = 0x1p-40;
-// Beyond this many pairs of overlapping boxes the test gives up. In a fan all boxes overlap at its center.
+// Beyond this many pairs of overlapping boxes the test gives up: the boxes of many long and thin faces overlap.
 constexpr std::uint64_t k_pairs_a_face = 256;
 constexpr std::uint64_t k_min_pairs = 1u << 22;
 constexpr std::uint32_t k_solid_faces_a_checkpoint = 1u << 18;
@@ -199,24 +199,12 @@ std::uint64_t max_pairs(const Mesh& mesh) {
     return std::max(k_pairs_a_face * mesh.face_count(), k_min_pairs);
 }
 
-// Whether the faces around corners are already too many pairs, before anything is searched: their boxes overlap there.
-// All edges are regular: no pair shares a corner more than once, but for one edge of each further time.
-bool has_large_fans(const Mesh& mesh, const LongCall& stop) {
-    std::vector<std::uint32_t> faces_at(mesh.vertex_count(), 0);
-    std::uint64_t pairs = 0;
-    for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
-        if (face % k_solid_faces_a_checkpoint == 0) stop.checkpoint(0.0);
-        for (const VertexId corner : mesh.triangles()[face]) pairs += faces_at[index(corner)]++;
-    }
-    return pairs > max_pairs(mesh) + mesh.edge_count();
-}
-
 bool may_be_solid(const Mesh& mesh, const LongCall& call) {
     const LongCall stop{call.stop, {}};
     return mesh.face_count() > 0 &&
            mesh.edges_of_class(EdgeClass::regular).size() == mesh.edge_count() &&
            std::ranges::all_of(mesh.planes(), &Plane::has_normal) &&
-           shells_turn_outwards(mesh, stop) && !has_large_fans(mesh, stop);
+           shells_turn_outwards(mesh, stop);
 }
 
 bool meets_itself_nowhere(const Mesh& mesh, const FaceTree& tree, const LongCall& call) {

@@ -21,7 +21,7 @@ class FaceTree;
 ///   shell is that flat.
 /// - A shell bounds a cavity.
 /// - The test would take too long: the boxes of more than 2^22 pairs of faces overlap, and of more than 256
-///   pairs per face. The center of a fan of thousands of faces causes this.
+///   pairs per face. Thousands of long and thin faces beside each other cause this.
 ///
 /// O(n log n), about 0.2 microseconds per face on two threads if faces are not much longer than wide. Uses all
 /// threads of oneTBB. Throws Error{cancelled}.

@@ -2,6 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <vector>
+
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tests/silhouette/mesh/small_meshes.h"
 
@@ -71,6 +77,50 @@ TEST_CASE("contacts do not depend on the order of faces") {
     CHECK(first.crossings.size() == second.crossings.size());
     CHECK(first.footholds.size() == second.footholds.size());
     CHECK(first.touches.size() == second.touches.size());
+}
+
+// Of sides that have no vertex of the face, by five signs of volumes.
+std::vector<FaceContacts::Piercing> piercings_by_volumes(const Mesh& mesh) {
+    std::vector<FaceContacts::Piercing> all;
+    const auto at = [&](VertexId v) { return glm::dvec3(mesh.positions()[index(v)]); };
+    const auto is_left = [](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
+                            const glm::dvec3& d) {
+        return glm::dot(b - a, glm::cross(c - a, d - a)) > 0.0;
+    };
+    for (std::uint32_t edge = 0; edge < mesh.edge_count(); ++edge) {
+        const auto& ends = mesh.edges()[edge].vertices;
+        const glm::dvec3 a = at(ends[0]), b = at(ends[1]);
+        for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
+            const Triangle& t = mesh.triangles()[face];
+            if (std::ranges::find_first_of(t, ends) != t.end()) continue;
+            const glm::dvec3 p = at(t[0]), q = at(t[1]), r = at(t[2]);
+            if (is_left(a, p, q, r) == is_left(b, p, q, r)) continue;
+            const bool around = is_left(a, b, p, q);
+            if (around == is_left(a, b, q, r) && around == is_left(a, b, r, p))
+                all.push_back({edge, face});
+        }
+    }
+    return all;
+}
+
+TEST_CASE("stars that go through each other have the contacts of their faces") {
+    tests::Random random(11);
+    for (int round = 0; round < 12; ++round) {
+        CAPTURE(round);
+        // The sides of a cone. (Its base has sides in its plane, which volumes in doubles do not see.)
+        MeshSource source = tests::star(400, 0.2 + 0.3 * round);
+        const MeshSource through = tests::star(300, 0.7 + round % 3);
+        const auto first = static_cast<std::uint32_t>(source.positions.size());
+        const glm::vec3 shift = 0.4f * random.in_cube();
+        for (const glm::vec3& p : through.positions) source.positions.push_back(p + shift);
+        for (const auto& t : through.triangles)
+            source.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+        const Mesh mesh(source);
+        const auto found =
+            find_face_contacts(mesh, FaceTree(mesh), find_flat_faces(mesh)).piercings;
+        CHECK(found.size() > 100);
+        CHECK(found == piercings_by_volumes(mesh));
+    }
 }
 
 TEST_CASE("a search can be cancelled") {

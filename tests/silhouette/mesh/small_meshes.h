@@ -2,8 +2,10 @@
 
 // Meshes small enough to count by hand.
 
+#include <cmath>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <numbers>
 #include <vector>
 
 #include "silhouette/mesh/mesh_source.h"
@@ -31,6 +33,27 @@ inline MeshSource octahedron() {
     return {
         {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
         {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
+}
+
+/// A disc around (0.3, height, 0.2), vertex 0, or the sides of a cone with that tip; the rim are the vertices from 1 on.
+inline MeshSource star(std::uint32_t faces, double height) {
+    MeshSource source{.positions = {{0.3, height, 0.2}}};
+    for (std::uint32_t i = 0; i < faces; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / faces;
+        source.positions.emplace_back(std::cos(angle), 0.0, std::sin(angle));
+        source.triangles.push_back({0, 1 + (i + 1) % faces, 1 + i});
+    }
+    return source;
+}
+
+/// The same with a disc as its base.
+inline MeshSource cone(std::uint32_t sides, double height) {
+    MeshSource source = star(sides, height);
+    const auto center = static_cast<std::uint32_t>(source.positions.size());
+    source.positions.emplace_back(0.1, 0.0, -0.2);
+    for (std::uint32_t i = 0; i < sides; ++i)
+        source.triangles.push_back({center, 1 + i, 1 + (i + 1) % sides});
+    return source;
 }
 
 /// `wings` triangles around the edge from (0, 0, 0) to (0, 0, 1), all running it the same way.

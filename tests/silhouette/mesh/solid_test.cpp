@@ -182,11 +182,10 @@ MeshSource spike(std::uint32_t sides) {
     return source;
 }
 
-TEST_CASE("fans and spikes of thousands are given up at once and smaller ones are solids" *
+TEST_CASE("cones are solids, and long thin faces in thousands are given up at once" *
           doctest::test_suite("plain")) {
     CHECK(is_solid(Mesh(cone(500))));
-    // Without a search, which would report how far it is, and take ten seconds.
-    CHECK_FALSE(is_solid(Mesh(cone(500'000)), {{}, [](double) { FAIL_CHECK("searched"); }}));
+    CHECK(is_solid(Mesh(cone(50'000))));
     CHECK(is_solid(Mesh(spike(500))));
     CHECK_FALSE(is_solid(Mesh(spike(20000))));
 }
