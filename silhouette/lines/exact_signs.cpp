@@ -21,14 +21,14 @@ void add_determinant(ExactSum& sum, const glm::dvec3& a, const glm::dvec3& b, co
 }
 
 // ((b - a) x (c - a)) · (p - a) = det(a, b, p) + det(b, c, p) + det(c, a, p) - det(a, b, c).
-int exact_plane_side(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
-                     const glm::dvec3& p) {
+ExactSum exact_plane_height(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
+                            const glm::dvec3& p) {
     ExactSum sum;
     add_determinant(sum, a, b, p, 1.0);
     add_determinant(sum, b, c, p, 1.0);
     add_determinant(sum, c, a, p, 1.0);
     add_determinant(sum, a, b, c, -1.0);
-    return sum.sign();
+    return sum;
 }
 
 int exact_direction_side(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
@@ -56,19 +56,23 @@ int minor_sign(double ay, double az, double by, double bz, double cy, double cz)
     return sum.sign();
 }
 
-// The sign of (u x v) · w where double decides it; 0 where it does not. The bound is Shewchuk's of orient3d,
-// rounded up: it holds for vectors that are differences of two floats, each rounded once.
-int filtered_sign(const glm::dvec3& u, const glm::dvec3& v, const glm::dvec3& w) {
-    constexpr double k_bound = 8e-16;
-    const double yz = u.y * v.z, zy = u.z * v.y;
-    const double zx = u.z * v.x, xz = u.x * v.z;
-    const double xy = u.x * v.y, yx = u.y * v.x;
-    const double value = w.x * (yz - zy) + w.y * (zx - xz) + w.z * (xy - yx);
-    const double size = (std::abs(yz) + std::abs(zy)) * std::abs(w.x) +
-                        (std::abs(zx) + std::abs(xz)) * std::abs(w.y) +
-                        (std::abs(xy) + std::abs(yx)) * std::abs(w.z);
-    return value > k_bound * size ? 1 : (-value > k_bound * size ? -1 : 0);
-}
+// (u x v) · w, and a bound of its error: Shewchuk's of orient3d, rounded up. It holds for vectors that are differences of
+// two floats, each rounded once.
+struct Volume {
+    Volume(const glm::dvec3& u, const glm::dvec3& v, const glm::dvec3& w) {
+        const double yz = u.y * v.z, zy = u.z * v.y;
+        const double zx = u.z * v.x, xz = u.x * v.z;
+        const double xy = u.x * v.y, yx = u.y * v.x;
+        value = w.x * (yz - zy) + w.y * (zx - xz) + w.z * (xy - yx);
+        error = 8e-16 * ((std::abs(yz) + std::abs(zy)) * std::abs(w.x) +
+                         (std::abs(zx) + std::abs(xz)) * std::abs(w.y) +
+                         (std::abs(xy) + std::abs(yx)) * std::abs(w.z));
+    }
+    // 0 where double does not decide it.
+    int sign() const { return value > error ? 1 : (-value > error ? -1 : 0); }
+
+    double value, error;
+};
 
 }  // namespace
 
@@ -76,8 +80,18 @@ int plane_side(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
                const glm::vec3& p) noexcept {
     const glm::dvec3 from(a);
     const int sign =
-        filtered_sign(glm::dvec3(b) - from, glm::dvec3(c) - from, glm::dvec3(p) - from);
-    return sign != 0 ? sign : exact_plane_side(a, b, c, p);
+        Volume(glm::dvec3(b) - from, glm::dvec3(c) - from, glm::dvec3(p) - from).sign();
+    return sign != 0 ? sign : exact_plane_height(a, b, c, p).sign();
+}
+
+double plane_height(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
+                    const glm::vec3& p) noexcept {
+    const glm::dvec3 from(a);
+    const Volume volume(glm::dvec3(b) - from, glm::dvec3(c) - from, glm::dvec3(p) - from);
+    constexpr double k_least_errors = 0x1p20;
+    return std::abs(volume.value) > k_least_errors * volume.error
+               ? volume.value
+               : exact_plane_height(a, b, c, p).value();
 }
 
 int first_normal_sign(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) noexcept {
@@ -91,10 +105,10 @@ int seen_side(const HomogeneousPoint& eye, const glm::vec3& a, const glm::vec3& 
     const glm::dvec3 from(a);
     const glm::dvec3 towards =
         eye.is_direction() ? glm::dvec3(eye.xyz()) : glm::dvec3(eye.xyz()) - from;
-    int sign = filtered_sign(glm::dvec3(b) - from, glm::dvec3(c) - from, towards);
+    int sign = Volume(glm::dvec3(b) - from, glm::dvec3(c) - from, towards).sign();
     if (sign == 0)
         sign = eye.is_direction() ? exact_direction_side(a, b, c, eye.xyz())
-                                  : exact_plane_side(a, b, c, eye.xyz());
+                                  : exact_plane_height(a, b, c, eye.xyz()).sign();
     return sign != 0 ? sign : first_normal_sign(a, b, c);
 }
 

@@ -28,6 +28,11 @@ inline double length_1(const glm::dvec3& v) noexcept {
 int plane_side(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
                const glm::vec3& p) noexcept;
 
+/// What plane_side() gives the sign of, with the same sign, correct to 2^-20 of it at least: six times the volume of the
+/// tetrahedron.
+double plane_height(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
+                    const glm::vec3& p) noexcept;
+
 /// The sign of the first component of (b - a) x (c - a) that is not zero. 0 where the three lie on one line.
 int first_normal_sign(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) noexcept;
 

@@ -36,6 +36,12 @@ public:
         add(std::fma(a, b, -high));
         add(high);
     }
+    /// The sum, rounded once or twice.
+    double value() const noexcept {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < count_; ++i) sum += parts_[i];
+        return sum;
+    }
     /// -1, 0 or 1.
     int sign() const noexcept { return count_ == 0 ? 0 : (parts_[count_ - 1] > 0.0 ? 1 : -1); }
 

@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "silhouette/lines/contact_places.h"
 #include "silhouette/lines/exact_signs.h"
 
 namespace rimline {
@@ -181,31 +182,26 @@ private:
     }
 
     void add_node(const Key& key) {
-        const auto corner = [&](std::uint32_t edge, std::size_t k) {
-            return glm::dvec3(at(mesh_.edge(EdgeId{edge}).vertices[k]));
+        const auto end_of = [&](std::uint32_t edge, std::size_t k) -> const glm::vec3& {
+            return at(mesh_.edge(EdgeId{edge}).vertices[k]);
+        };
+        const auto on_edge = [&](double share) {
+            const glm::dvec3 from(end_of(key.a, 0));
+            return from + share * (glm::dvec3(end_of(key.a, 1)) - from);
         };
         glm::dvec3 position(0.0);
         switch (key.kind) {
             case Key::Kind::piercing: {
                 const Triangle& t = corners(key.b);
-                const glm::dvec3 a(at(t[0]));
-                const glm::dvec3 n = glm::cross(glm::dvec3(at(t[1])) - a, glm::dvec3(at(t[2])) - a);
-                const glm::dvec3 from = corner(key.a, 0), way = corner(key.a, 1) - from;
-                const double share = glm::dot(n, a - from) / glm::dot(n, way);
-                position = from + std::clamp(share, 0.0, 1.0) * way;
+                position = on_edge(share_to_plane(end_of(key.a, 0), end_of(key.a, 1), at(t[0]),
+                                                  at(t[1]), at(t[2])));
                 curves_.node_faces_.push_back({key.b, FaceContacts::Touch::k_inside});
                 add_faces_of_edge(key.a);
                 break;
             }
             case Key::Kind::crossing: {
-                // The nearest point of the first edge to the second.
-                const glm::dvec3 from = corner(key.a, 0), m = corner(key.a, 1) - from;
-                const glm::dvec3 base = corner(key.b, 0), n = corner(key.b, 1) - base;
-                const glm::dvec3 r = from - base;
-                const double mm = glm::dot(m, m), mn = glm::dot(m, n), nn = glm::dot(n, n);
-                const double share =
-                    (mn * glm::dot(n, r) - nn * glm::dot(m, r)) / (mm * nn - mn * mn);
-                position = from + std::clamp(share, 0.0, 1.0) * m;
+                position = on_edge(share_to_crossing(end_of(key.a, 0), end_of(key.a, 1),
+                                                     end_of(key.b, 0), end_of(key.b, 1)));
                 add_faces_of_edge(key.a);
                 add_faces_of_edge(key.b);
                 break;

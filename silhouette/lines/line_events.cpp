@@ -8,6 +8,7 @@
 
 #include "silhouette/error.h"
 #include "silhouette/lines/coincident_lines.h"
+#include "silhouette/lines/contact_places.h"
 #include "silhouette/lines/cross_2d.h"
 #include "silhouette/lines/exact_signs.h"
 #include "silhouette/lines/local_rule.h"
@@ -178,12 +179,9 @@ void LineEvents::add_piercings(LineFrame& frame) {
         if (i == k_no_line) continue;
         const auto [v, w] = frame.lines[i].vertices;
         const Triangle& t = frame.surface->mesh().triangles()[face];
-        const glm::dvec3 a(frame.position(index(t[0])));
-        const glm::dvec3 n = glm::cross(glm::dvec3(frame.position(index(t[1]))) - a,
-                                        glm::dvec3(frame.position(index(t[2]))) - a);
-        const glm::dvec3 from(frame.position(v));
         const double share =
-            glm::dot(n, a - from) / glm::dot(n, glm::dvec3(frame.position(w)) - from);
+            share_to_plane(frame.position(v), frame.position(w), frame.position(index(t[0])),
+                           frame.position(index(t[1])), frame.position(index(t[2])));
         add_contact(frame, i, lies_before(frame, face, w) ? 1 : -1, share);
     }
 }
@@ -210,14 +208,9 @@ void LineEvents::add_edge_crossings(LineFrame& frame) {
                 const bool is_after = side == side_w;
                 if (lies_before(frame, index(face), is_after ? w : v)) jump += is_after ? 1 : -1;
             }
-        // The nearest point of the two lines.
-        const glm::dvec3 from(frame.position(v)), base(frame.position(c));
-        const glm::dvec3 m = glm::dvec3(frame.position(w)) - from;
-        const glm::dvec3 n = glm::dvec3(frame.position(d)) - base;
-        const glm::dvec3 r = from - base;
-        const double mm = glm::dot(m, m), mn = glm::dot(m, n), nn = glm::dot(n, n);
         add_contact(frame, i, jump,
-                    (mn * glm::dot(n, r) - nn * glm::dot(m, r)) / (mm * nn - mn * mn));
+                    share_to_crossing(frame.position(v), frame.position(w), frame.position(c),
+                                      frame.position(d)));
     }
 }
 

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
 #include <string>
 
 #include "silhouette/mesh/brute_force.h"
@@ -49,25 +51,78 @@ MeshSource grid_soup(std::uint64_t seed) {
     return source;
 }
 
-// Boxes on a grid that touch and overlap.
-MeshSource grid_boxes(std::uint64_t seed) {
+void add_box(MeshSource& source, const glm::vec3& low, const glm::vec3& high) {
     constexpr std::uint32_t k_sides[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1},
                                              {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
+    const auto first = static_cast<std::uint32_t>(source.positions.size());
+    for (int corner = 0; corner < 8; ++corner)
+        source.positions.push_back({corner & 4 ? high.x : low.x, corner & 2 ? high.y : low.y,
+                                    corner & 1 ? high.z : low.z});
+    for (const auto& [a, b, c, d] : k_sides) {
+        source.triangles.push_back({first + a, first + b, first + c});
+        source.triangles.push_back({first + a, first + c, first + d});
+    }
+}
+
+// Boxes on a grid that touch and overlap.
+MeshSource grid_boxes(std::uint64_t seed) {
     tests::Random random(seed);
     MeshSource source;
     for (int box = 0; box < 12; ++box) {
-        const auto first = static_cast<std::uint32_t>(source.positions.size());
         const glm::vec3 low(random.between(0, 5), random.between(0, 5), random.between(0, 5));
         const glm::vec3 size(random.between(1, 3), random.between(1, 3), random.between(1, 3));
-        for (int corner = 0; corner < 8; ++corner)
-            source.positions.push_back(
-                low + size * glm::vec3(corner >> 2 & 1, corner >> 1 & 1, corner & 1));
-        for (const auto& [a, b, c, d] : k_sides) {
-            source.triangles.push_back({first + a, first + b, first + c});
-            source.triangles.push_back({first + a, first + c, first + d});
-        }
+        add_box(source, low, low + size);
     }
     return source;
+}
+
+// Two boxes, of which the second was turned by 90 degrees, so that its edges cross those of the first at angles of
+// 10^-16.
+MeshSource turned_box(double height) {
+    MeshSource source;
+    add_box(source, {-1, -1, 0}, {1, 0, 1});
+    add_box(source, {0.0, -1.5, 0.0}, {1.0, 0.5, height});
+    const double c = std::cos(std::numbers::pi / 2), s = std::sin(std::numbers::pi / 2);
+    for (std::size_t v = 8; v < 16; ++v) {
+        const glm::dvec3 p(source.positions[v]);
+        source.positions[v] = {p.x * c - p.y * s, p.x * s + p.y * c, p.z};
+    }
+    return source;
+}
+
+// Two ridges that cross with a slope of the second one.
+MeshSource ridges(float slope) {
+    return {{{-1, 0, 0},
+             {1, 0, 0},
+             {0, -1, 1},
+             {0.1f, -1, -1},
+             {-0.5f, -0.5f * slope, 0},
+             {1, slope, 0},
+             {0, 1, 1},
+             {0.1f, 1, -1}},
+            {{0, 1, 2}, {1, 0, 3}, {4, 5, 6}, {5, 4, 7}}};
+}
+
+TEST_CASE("edges that cross at next to no angle cross where they do") {
+    for (const double height : {0.5, 0.7, 1.0, 1.3}) {
+        CAPTURE(height);
+        const Mesh mesh(turned_box(height));
+        tests::check_views(mesh, Cameras::around, 4, 3);
+        tests::check_views(mesh, Cameras::axes, 3, 5);
+    }
+    for (const float slope : {1e-3f, 1e-6f, 1e-9f, 3e-11f, 1e-16f, 1e-20f, 1e-30f}) {
+        CAPTURE(slope);
+        const Mesh mesh(ridges(slope));
+        const LineDrawing drawing =
+            draw(mesh, LineView::orthographic({1, 2, 3}, glm::dvec3(0.0), {0, 1, 0}));
+        std::size_t crossings = 0;
+        for (const LineRun& run : drawing.runs)
+            for (const LinePoint& point : drawing.points_of(run)) {
+                CHECK(std::isfinite(point.position.x + point.position.y));
+                crossings += glm::length(point.position) < 1e-9;
+            }
+        CHECK(crossings > 0);
+    }
 }
 
 TEST_CASE("lines of built-in shapes are hidden where a count of faces says" *
