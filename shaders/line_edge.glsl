@@ -26,7 +26,7 @@ uint corner_across(uint face, uint v0, uint v1) {
     return corner;
 }
 
-// Subnormals may be flushed here, so a comparator can differ from the tracker for such planes.
+// Sums may be rounded in another way here, so a comparator can differ from the tracker (face_bit.glsl).
 bool is_front_here(uint face) {
     return is_front(instance.planes.at[face], instance.viewpoint);
 }

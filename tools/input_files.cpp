@@ -24,6 +24,11 @@ void check_differ(const fs::path& output, const fs::path& input) {
                          ": the model refers to this file; name another file to write");
 }
 
+// Where the mutex is held.
+void check_differs_from_inputs(const fs::path& output) {
+    for (const fs::path& input : g_inputs) check_differ(output, input);
+}
+
 }  // namespace
 
 bool is_same_file(const fs::path& a, const fs::path& b) {
@@ -42,12 +47,12 @@ void declare_inputs(std::span<const fs::path> files) {
 
 void check_is_no_input(const fs::path& path) {
     const std::lock_guard lock(g_inputs_mutex);
-    for (const fs::path& input : g_inputs) check_differ(path, input);
+    check_differs_from_inputs(path);
 }
 
 void OutputClaim::take(fs::path path) {
-    check_is_no_input(path);
     const std::lock_guard lock(g_inputs_mutex);
+    check_differs_from_inputs(path);
     path_ = std::move(path);
     next_ = std::exchange(g_first_claim, this);
 }

@@ -81,7 +81,7 @@ public:
         listed,   ///< Also the lists: added(), removed(), word_writes().
     };
 
-    /// Allocates memory for any silhouette, uploads and waits. `topology` and the buffers of `faces` must
+    /// Allocates memory for any silhouette, and adds its copies to the batch. `topology` and the buffers of `faces` must
     /// outlive it. About 1/4 byte a face and 4 1/4 bytes an edge, and 8 more an edge if changes are listed.
     /// Budget, messages and errors are as in SilhouetteTopology.
     GpuSilhouette(UploadBatch& batch, const SilhouetteTopology& topology, const FaceSource& faces,

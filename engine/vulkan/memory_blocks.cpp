@@ -64,6 +64,11 @@ MemoryBlocks::MemoryBlocks(std::shared_ptr<const DeviceFunctions> vk,
 
 MemoryBlocks::~MemoryBlocks() = default;
 
+// Types with these are for devices whose features ask for them.
+constexpr VkMemoryPropertyFlags k_special_types = VK_MEMORY_PROPERTY_PROTECTED_BIT |
+                                                  VK_MEMORY_PROPERTY_DEVICE_COHERENT_BIT_AMD |
+                                                  VK_MEMORY_PROPERTY_DEVICE_UNCACHED_BIT_AMD;
+
 // All types that serve, the best first. Wanted properties are given up one after the other, from the rarest.
 std::vector<std::uint32_t> MemoryBlocks::types_for(const MemoryRequest& request) const {
     std::vector<std::uint32_t> types;
@@ -72,6 +77,7 @@ std::vector<std::uint32_t> MemoryBlocks::types_for(const MemoryRequest& request)
         for (std::uint32_t type = 0; type < memory_.memoryTypeCount; ++type)
             if ((request.requirements.memoryTypeBits >> type & 1u) != 0 &&
                 (memory_.memoryTypes[type].propertyFlags & flags) == flags &&
+                (memory_.memoryTypes[type].propertyFlags & k_special_types) == 0 &&
                 std::ranges::find(types, type) == types.end())
                 types.push_back(type);
         if (wanted == 0) break;

@@ -40,6 +40,16 @@ VkFormat choose_format(const DeviceContext& context, VkSurfaceKHR surface) {
                 "with --device");
 }
 
+// Into an image of the same format.
+bool can_be_enlarged(const DeviceContext& context, VkFormat format) {
+    constexpr VkFormatFeatureFlags k_enlarging = VK_FORMAT_FEATURE_BLIT_SRC_BIT |
+                                                 VK_FORMAT_FEATURE_BLIT_DST_BIT |
+                                                 VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
+    VkFormatProperties properties;
+    context.vk->GetPhysicalDeviceFormatProperties(context.physical_device, format, &properties);
+    return (properties.optimalTilingFeatures & k_enlarging) == k_enlarging;
+}
+
 }  // namespace
 
 Swapchain::Swapchain(const DeviceContext& context, VkSurfaceKHR surface, std::uint32_t ring_slots)
@@ -99,7 +109,8 @@ void Swapchain::remake(VkExtent2D window_size) {
         return;
     }
 
-    can_be_copied_to_ = (can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT) != 0;
+    can_be_copied_to_ = (can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT) != 0 &&
+                        can_be_enlarged(context_, format_);
     can_be_copied_from_ = (can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_SRC_BIT) != 0;
     const std::uint32_t most = can.maxImageCount == 0 ? ~0u : can.maxImageCount;
     const VkSwapchainCreateInfoKHR info{

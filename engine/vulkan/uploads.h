@@ -14,8 +14,11 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "engine/vulkan/commands.h"
@@ -120,13 +123,15 @@ private:
 /// Throws what `make` and vk_check() do.
 template <typename Make>
 auto upload_at_once(const DeviceContext& context, Make&& make) {
+    // First: where something throws, `uploads` waits before the buffers end.
+    std::optional<std::invoke_result_t<Make&, UploadBatch&>> made;
     Uploads uploads(context);
     UploadBatch batch(context, uploads);
-    auto made = make(batch);
+    made.emplace(make(batch));
     batch.send();
     run_commands(
         context, [](Commands) {}, uploads.sent());
-    return made;
+    return *std::move(made);
 }
 
 }  // namespace rimline

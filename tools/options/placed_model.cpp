@@ -38,7 +38,6 @@ double parse_finite(const std::string& option, const std::string& text,
 
 void append_positions(MeshSource& all, const PlacedSource& placed) {
     glm::dvec3 low(std::numeric_limits<double>::max()), high(-low);
-    all.positions.reserve(all.positions.size() + placed.source->positions.size());
     for (const glm::vec3& position : placed.source->positions) {
         const glm::dvec3 there = placed.at + placed.matrix * glm::dvec3(position);
         const double reach = std::max({std::abs(there.x), std::abs(there.y), std::abs(there.z)});
@@ -194,6 +193,15 @@ MeshSource join_sources(std::span<const PlacedSource> sources) {
         all.up = sources.front().source->up;
         all.is_up_known = sources.front().source->is_up_known;
     }
+    std::size_t positions = 0, faces = 0;
+    for (const PlacedSource& placed : sources) {
+        positions += placed.source->positions.size();
+        faces += placed.source->triangles.size();
+    }
+    // What is more is refused below.
+    all.positions.reserve(
+        std::min<std::size_t>(positions, std::numeric_limits<std::uint32_t>::max()));
+    all.triangles.reserve(std::min(faces, k_max_joined_faces));
     for (const PlacedSource& placed : sources) {
         const MeshSource& source = *placed.source;
         const std::size_t faces_before = all.triangles.size();

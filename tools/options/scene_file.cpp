@@ -203,6 +203,8 @@ public:
         return true;
     }
 
+    bool are_too_many() const noexcept { return open_.size() > k_max_depth; }
+
     // Of the value that comes next, as Node has it.
     std::string place() const {
         std::string place;
@@ -227,6 +229,8 @@ private:
         if (!open_.empty()) ++open_.back().index;
     }
 
+    static constexpr std::size_t k_max_depth = 64;
+
     std::vector<Open> open_;
 };
 
@@ -236,6 +240,8 @@ Json parse_json(const std::string& path, const std::string& text) {
         if (!open.follow(event, parsed))
             fail(path, open.place(),
                  "the key \"" + parsed.get<std::string>() + "\" occurs twice in one object");
+        if (open.are_too_many())
+            fail(path, "", "it nests more than 64 levels deep, which no scene file does");
         return true;
     };
     try {

@@ -99,6 +99,9 @@ struct Work {
             failure = std::current_exception();
         }
         function = nullptr;  // Here, and not where the interpreter's lock is held.
+        end();
+    }
+    void end() noexcept {
         const std::lock_guard lock(mutex);
         has_ended = true;
         ends.notify_all();
@@ -175,8 +178,14 @@ void run(const py::object& progress, std::function<void(const LongCall&)> functi
     ShownProgress shown(progress);
     const auto work = std::make_shared<Work>();
     work->function = std::move(function);
-    std::thread([work] { work->run(); }).detach();
+    // First, because it may throw: what runs is stopped only as one of them.
     g_works->add(work);
+    try {
+        std::thread([work] { work->run(); }).detach();
+    } catch (...) {
+        work->end();
+        throw;
+    }
     std::exception_ptr interruption;
     try {
         while (!ends_soon(*work))

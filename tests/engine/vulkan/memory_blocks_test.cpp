@@ -122,6 +122,18 @@ TEST_CASE(
     CHECK(types_tried(0b1111, 0b0100) == Types{2, 0});
     CHECK(types_tried(0b1111, 0b0101) == Types{2, 0, 3});
     CHECK(types_tried(0b1011, 0) == Types{0});
+    // Types that only some features may use are none, whatever else they have.
+    for (const VkMemoryPropertyFlags special :
+         {VK_MEMORY_PROPERTY_DEVICE_COHERENT_BIT_AMD, VK_MEMORY_PROPERTY_DEVICE_UNCACHED_BIT_AMD,
+          VK_MEMORY_PROPERTY_PROTECTED_BIT}) {
+        memory.memoryTypes[2].propertyFlags = k_local | special;
+        MemoryBlocks other(context.vk, memory, ~VkDeviceSize{0});
+        request.requirements.memoryTypeBits = 0b1111;
+        full_types = 0;
+        tried_types.clear();
+        other.free(other.allocate(request));
+        CHECK(tried_types == Types{0});
+    }
     // What is needed is not given up, and the error is that of the type that was wanted most.
     request.needed = k_visible;
     CHECK_THROWS_WITH_AS(types_tried(0b1111, 0b0001), doctest::Contains("memory of 16 MiB"), Error);

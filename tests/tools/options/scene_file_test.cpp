@@ -39,5 +39,17 @@ TEST_CASE("messages show the control characters of a scene file as numbers") {
     }
 }
 
+TEST_CASE("a scene file that nests without end is refused") {
+    constexpr std::size_t k_levels = 500'000;
+    for (const std::string_view open : {"[", "{\"a\": "}) {
+        std::string text = "{\"rimline_scene\": ";
+        for (std::size_t level = 0; level < k_levels; ++level) text += open;
+        CHECK(message_of(text).ends_with(
+            "it nests more than 64 levels deep, which no scene file does"));
+    }
+    CHECK(message_of("{\"rimline_scene\": " + std::string(60, '[') + std::string(60, ']') + "}")
+              .find("expected") != std::string::npos);
+}
+
 }  // namespace
 }  // namespace rimline::tools
