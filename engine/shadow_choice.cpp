@@ -8,16 +8,12 @@
 #include <glm/vector_relational.hpp>
 #include <limits>
 
+#include "engine/shader_rounding.h"
 #include "silhouette/mesh/mesh.h"
 
 namespace rimline {
 
 namespace {
-
-// Relative error of positions in the shaders, with a margin. Relative to the camera or the light, positions
-// are wrong by about 2^-21 of their length (eight roundings of 2^-24, and a rotation matrix of floats).
-// This is sixteen times that.
-constexpr double k_rounding = 0x1p-17;
 
 struct Box {
     glm::dvec3 low, high;
@@ -28,11 +24,6 @@ Box grown(const Box& box, double by) { return {box.low - by, box.high + by}; }
 bool contains(const Box& box, const glm::dvec3& point) {
     return glm::all(glm::lessThanEqual(box.low, point)) &&
            glm::all(glm::lessThanEqual(point, box.high));
-}
-
-// The distance from a point to the farthest point of a box.
-double reach_from(const Box& box, const glm::dvec3& point) {
-    return glm::length(glm::max(glm::abs(box.low - point), glm::abs(box.high - point)));
 }
 
 // Whether the segment from `start` to `start + length * step` meets a box, by the slab method.
@@ -70,7 +61,7 @@ double margin_of(const Box& box, const ShadowView& view, const ShadowCaster& cas
     if (!caster.light.is_direction())
         reach += reach_from(box, light_vector(caster)) +
                  (view.orthographic ? 0.0 : glm::distance(view.eye, light_vector(caster)));
-    return k_rounding * reach;
+    return k_shader_rounding * reach;
 }
 
 // The reason why the single form is not proven right, or null.

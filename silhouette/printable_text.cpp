@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "silhouette/error.h"
+
 namespace rimline {
 
 namespace {
@@ -57,6 +59,23 @@ std::string printable_text(std::string_view text) {
         }
     }
     return printable;
+}
+
+std::u16string utf16_of(std::string_view text) {
+    std::u16string units;
+    while (!text.empty()) {
+        char32_t code = 0;
+        const std::size_t length = character_length(text, code);
+        RIMLINE_CHECK(length > 0);
+        text.remove_prefix(length);
+        if (code < 0x10000) {
+            units += static_cast<char16_t>(code);
+        } else {
+            units += static_cast<char16_t>(0xd800 + ((code - 0x10000) >> 10));
+            units += static_cast<char16_t>(0xdc00 + ((code - 0x10000) & 0x3ff));
+        }
+    }
+    return units;
 }
 
 }  // namespace rimline

@@ -14,4 +14,7 @@ namespace rimline {
 /// characters stay as they are.
 std::string printable_text(std::string_view text);
 
+/// The numbers of 16 bits that stand for `text` in UTF-16. It must be UTF-8, as printable_text() makes it.
+std::u16string utf16_of(std::string_view text);
+
 }  // namespace rimline

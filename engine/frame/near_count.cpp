@@ -9,22 +9,16 @@
 #include <glm/vec3.hpp>
 
 #include "engine/frame/segment_crossings.h"
+#include "engine/shader_rounding.h"
 #include "silhouette/mesh/face_bits.h"
 
 namespace rimline {
 
 namespace {
 
-// Relative error of positions in the shaders, with a margin (shadow_choice.cpp).
-constexpr double k_rounding = 0x1p-17;
 // The boxes around the thick segment, and the most faces that may meet them.
 constexpr int k_pieces = 64;
 constexpr std::size_t k_max_faces = 4096;
-
-double reach_from(const Bounds& box, const glm::dvec3& point) {
-    return glm::length(
-        glm::max(glm::abs(glm::dvec3(box.low) - point), glm::abs(glm::dvec3(box.high) - point)));
-}
 
 // From the eye to the light, or past the mesh on the way to a directional light.
 glm::dvec3 way_to_light(const HomogeneousPoint& light, const Bounds& bounds,
@@ -79,9 +73,9 @@ std::optional<std::vector<std::uint32_t>> near_counts(const CountedVolume& volum
     RIMLINE_CHECK(!view.orthographic);
     const Mesh& mesh = volume.caster->mesh();
     const glm::dvec3 to_light = way_to_light(volume.light, mesh.bounds(), view.eye);
-    const double margin =
-        k_rounding * (reach_from(mesh.bounds(), view.eye) +
-                      reach_from(mesh.bounds(), view.eye + to_light) + glm::length(to_light));
+    const double margin = k_shader_rounding *
+                          (reach_from(mesh.bounds(), view.eye) +
+                           reach_from(mesh.bounds(), view.eye + to_light) + glm::length(to_light));
     const double radius = view.near_reach + margin;
     const auto faces =
         faces_around(volume.caster->faces(), mesh.bounds(), view.eye, to_light, radius);

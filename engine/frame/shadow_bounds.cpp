@@ -13,15 +13,14 @@
 
 #include "engine/frame/scene_data.h"
 #include "engine/frame/silhouette_points.h"
+#include "engine/shader_rounding.h"
 #include "silhouette/mesh/rounded_to_float.h"
 
 namespace rimline {
 
 namespace {
 
-// Relative error of positions in the shaders, with a margin (shadow_choice.cpp).
-constexpr double k_shader_rounding = 0x1p-17;
-// Without the margin.
+// Of k_shader_rounding, without its margin.
 constexpr double k_rounding_per_slack = 1.0 / 16.0;
 // Of the arithmetic here, relative to the size of everything.
 constexpr double k_tolerance = 0x1p-40;

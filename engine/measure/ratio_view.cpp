@@ -96,9 +96,7 @@ void RatioViewBuilder::select_lines(const HomogeneousPoint& point, RatioView& vi
     TraversalCounters counters;
     octree_.extract(point, scratch.edges, counters, scratch.blocks);
     const auto is_hidden_valley = [&](EdgeId edge) {
-        const std::uint32_t word = index(edge) / 32;
-        return view.culls_backs && word < concave_bits_.size() &&
-               (concave_bits_[word] >> (index(edge) % 32) & 1u) != 0;
+        return view.culls_backs && is_concave(concave_bits_, edge);
     };
     const auto hidden = std::partition(scratch.edges.begin(), scratch.edges.end(),
                                        [&](EdgeId edge) { return !is_hidden_valley(edge); });

@@ -18,10 +18,7 @@ constexpr std::uint64_t k_upload_share = 3;
 
 Occluders chosen(Occluders occluders, const DeviceContext& context) {
     if (occluders != Occluders::automatic) return occluders;
-    VkPhysicalDeviceProperties properties;
-    context.vk->GetPhysicalDeviceProperties(context.physical_device, &properties);
-    return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? Occluders::faces
-                                                                : Occluders::clusters;
+    return context.type == VK_PHYSICAL_DEVICE_TYPE_CPU ? Occluders::faces : Occluders::clusters;
 }
 
 bool has_queries(const VisibleRatioMethod& method, const DeviceContext& context) noexcept {

@@ -9,6 +9,7 @@
 
 #include "silhouette/field/field_sums.h"
 #include "silhouette/field/many_values.h"
+#include "silhouette/is_finite.h"
 
 namespace rimline {
 
@@ -31,7 +32,7 @@ DiscountedField::DiscountedField(DiscountedField&&) noexcept = default;
 DiscountedField& DiscountedField::operator=(DiscountedField&&) noexcept = default;
 
 void DiscountedField::discount(const glm::dvec3& chosen) {
-    RIMLINE_CHECK(std::isfinite(chosen.x) && std::isfinite(chosen.y) && std::isfinite(chosen.z));
+    RIMLINE_CHECK(is_finite(chosen));
     const FieldSums& sums = *field_->sums_;
     previous_.resize(sums.planes.size(), -std::numeric_limits<double>::infinity());
     if (!discount_) discount_ = std::make_unique<kernels::Discount>();
@@ -107,7 +108,7 @@ void DiscountedField::values(std::span<const glm::dvec3> points, std::span<doubl
 double DiscountedField::value_with(kernels::FieldScratch& scratch, const glm::dvec3& point,
                                    kernels::FieldWork& work, double tolerances) const {
     if (!discount_) return field_->value_with(scratch, point, work, tolerances);
-    RIMLINE_CHECK(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z));
+    RIMLINE_CHECK(is_finite(point));
     const FieldSums& sums = *field_->sums_;
     if (FieldSums::is_near(point))
         return sums.sum(discount_.get(), point, scratch, work, tolerances);

@@ -185,9 +185,7 @@ void RayRatios::cover_pixels(const View& view, Scratch& scratch) const {
         });
     };
     const auto is_valley = [&](EdgeId edge) {
-        const std::uint32_t word = index(edge) / 32;
-        return view.hides_valleys && word < faces_->concave_bits.size() &&
-               (faces_->concave_bits[word] >> (index(edge) % 32) & 1u) != 0;
+        return view.hides_valleys && is_concave(faces_->concave_bits, edge);
     };
     TraversalCounters counters;
     octree_.extract(view.point, scratch.edges, counters, scratch.blocks);

@@ -4,6 +4,7 @@
 
 #include "silhouette/field/field_sums.h"
 #include "silhouette/field/many_values.h"
+#include "silhouette/is_finite.h"
 
 namespace rimline {
 
@@ -11,10 +12,6 @@ namespace {
 
 // For fewer planes, summing all of them is faster.
 constexpr std::size_t k_min_clustered = 1024;
-
-bool is_finite(const glm::dvec3& p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 
 #include "silhouette/lines/exact_signs.h"
 #include "silhouette/mesh/face_pairs.h"
+#include "silhouette/mesh/opposite_corner.h"
 
 namespace rimline {
 
@@ -35,9 +36,6 @@ public:
     FaceContacts found;
 
 private:
-    static bool is_corner(const Triangle& t, VertexId v) {
-        return t[0] == v || t[1] == v || t[2] == v;
-    }
     bool has_edges(std::uint32_t f) const { return mesh_.edges_of(FaceId{f})[0] != k_no_edge; }
     const glm::vec3& at(VertexId v) const { return positions_[index(v)]; }
     int side_of(const Triangle& t, VertexId v) const {
@@ -51,7 +49,7 @@ private:
         if (is_flat_[g] != 0) return false;
         int side = 0;
         for (const VertexId v : t) {
-            if (is_corner(corners, v)) continue;
+            if (has_corner(corners, v)) continue;
             const int s = side_of(corners, v);
             if (s == 0 || s == -side) return false;
             side = s;
@@ -72,7 +70,7 @@ private:
         if (is_flat_[g] != 0) return;
         const Triangle& t = mesh_.triangles()[g];
         for (const VertexId v : mesh_.triangles()[f]) {
-            if (is_corner(t, v) || side_of(t, v) != 0) continue;
+            if (has_corner(t, v) || side_of(t, v) != 0) continue;
             const int drop = widest_axis(t);
             const int facing = flat_turn(drop, at(t[0]), at(t[1]), at(t[2]));
             if (facing == 0) continue;
@@ -96,10 +94,10 @@ private:
         const Triangle &a = mesh_.triangles()[f], &t = mesh_.triangles()[g];
         for (std::size_t i = 0; i < 3; ++i) {
             const VertexId v = a[i], w = a[(i + 1) % 3];
-            const int shared = int(is_corner(t, v)) + int(is_corner(t, w));
+            const int shared = int(has_corner(t, v)) + int(has_corner(t, w));
             if (shared == 2) continue;
-            const int from = is_corner(t, v) ? 0 : side_of(t, v);
-            const int to = is_corner(t, w) ? 0 : side_of(t, w);
+            const int from = has_corner(t, v) ? 0 : side_of(t, v);
+            const int to = has_corner(t, w) ? 0 : side_of(t, w);
             if (from * to > 0) continue;
             const std::uint32_t edge = index(mesh_.edges_of(FaceId{f})[i]);
             if (from == 0 && to == 0)

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "silhouette/lines/exact_signs.h"
+#include "silhouette/mesh/opposite_corner.h"
 
 namespace rimline {
 
@@ -49,7 +50,7 @@ std::span<const std::int32_t> VertexRays::count_before(const LineGeometry& surfa
     rays_.each_along(surface.tree(), [&](std::uint32_t ray, std::uint32_t face) {
         const std::uint32_t vertex = vertices[ray];
         const Triangle& t = surface.mesh().triangles()[face];
-        if (index(t[0]) == vertex || index(t[1]) == vertex || index(t[2]) == vertex) return;
+        if (has_corner(t, VertexId{vertex})) return;
         const glm::vec3 &a = positions[index(t[0])], &b = positions[index(t[1])],
                         &c = positions[index(t[2])], &p = positions[vertex];
         const glm::dvec3 from(p), towards = view.is_orthographic() ? eye : eye - from;

@@ -10,6 +10,7 @@
 
 #include "silhouette/lines/contact_places.h"
 #include "silhouette/lines/exact_signs.h"
+#include "silhouette/mesh/opposite_corner.h"
 
 namespace rimline {
 
@@ -69,7 +70,6 @@ public:
     }
 
 private:
-    static bool has(const Triangle& t, VertexId v) { return t[0] == v || t[1] == v || t[2] == v; }
     const Triangle& corners(std::uint32_t face) const { return mesh_.triangles()[face]; }
     const glm::vec3& at(VertexId v) const { return mesh_.positions()[index(v)]; }
     int side_of(std::uint32_t face, VertexId v) const {
@@ -104,7 +104,7 @@ private:
             // It may lead from a corner that the faces share.
             std::size_t shared = 0;
             for (const VertexId v : corners(f))
-                if (has(corners(g), v)) second = {Key::Kind::vertex, index(v), 0}, ++shared;
+                if (has_corner(corners(g), v)) second = {Key::Kind::vertex, index(v), 0}, ++shared;
             if (shared != 1) return;
         } else if (nodes.size() != 2) {
             return;  // Coplanar faces.

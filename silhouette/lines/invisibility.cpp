@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "silhouette/error.h"
+#include "silhouette/mesh/opposite_corner.h"
 
 namespace rimline {
 
@@ -27,8 +28,7 @@ RayCount count_at(const LineFrame& frame, std::uint32_t line, double share_in_pi
     }
     const auto [v, w] = frame.lines[line].vertices;
     const auto has = [&](std::uint32_t face, std::uint32_t vertex) {
-        const Triangle& t = surface.mesh().triangles()[face];
-        return index(t[0]) == vertex || index(t[1]) == vertex || index(t[2]) == vertex;
+        return has_corner(surface.mesh().triangles()[face], VertexId{vertex});
     };
     return count_before_point(
         surface, *frame.view,

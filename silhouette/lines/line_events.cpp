@@ -12,6 +12,7 @@
 #include "silhouette/lines/cross_2d.h"
 #include "silhouette/lines/exact_signs.h"
 #include "silhouette/lines/local_rule.h"
+#include "silhouette/mesh/opposite_corner.h"
 
 namespace rimline {
 
@@ -224,10 +225,7 @@ void LineEvents::add_footholds(LineFrame& frame) {
         // Faces that the vertex only touches are met by the edge itself, or its own.
         for (const std::uint32_t face : frame.surface->stars().faces(vertex)) {
             const Triangle& t = mesh.triangles()[face];
-            const auto is_own = [&](std::uint32_t end) {
-                return index(t[0]) == end || index(t[1]) == end || index(t[2]) == end;
-            };
-            if (is_own(v) && is_own(w)) continue;
+            if (has_corner(t, VertexId{v}) && has_corner(t, VertexId{w})) continue;
             if (covers(frame, face, k_corner, vertex, w) && lies_before(frame, face, w)) ++jump;
             if (covers(frame, face, k_corner, vertex, v) && lies_before(frame, face, v)) --jump;
         }

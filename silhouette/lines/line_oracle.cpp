@@ -12,6 +12,8 @@
 #include <span>
 #include <vector>
 
+#include "silhouette/mesh/opposite_corner.h"
+
 namespace rimline {
 
 namespace {
@@ -68,8 +70,8 @@ public:
         Count count{0, true};
         const auto test = [&](std::uint32_t face) {
             const Triangle& t = mesh_.triangles()[face];
-            if (edge != k_no_edge && has(t, mesh_.edge(edge).vertices[0]) &&
-                has(t, mesh_.edge(edge).vertices[1]))
+            if (edge != k_no_edge && has_corner(t, mesh_.edge(edge).vertices[0]) &&
+                has_corner(t, mesh_.edge(edge).vertices[1]))
                 return;
             add_face(t, x, towards, edge == k_no_edge, count);
         };
@@ -110,8 +112,6 @@ public:
     }
 
 private:
-    static bool has(const Triangle& t, VertexId v) { return t[0] == v || t[1] == v || t[2] == v; }
-
     double depth_of(VertexId v) const {
         return view_.project_from_point(glm::dvec3(mesh_.positions()[index(v)])).depth;
     }

@@ -51,10 +51,7 @@ std::vector<std::uint32_t> concave_edge_bits(const Mesh& mesh) {
 }
 
 void remove_concave_edges(std::span<const std::uint32_t> concave_bits, std::vector<EdgeId>& edges) {
-    std::erase_if(edges, [concave_bits](EdgeId edge) {
-        const std::uint32_t e = index(edge);
-        return e / 32 < concave_bits.size() && (concave_bits[e / 32] >> (e % 32) & 1u) != 0;
-    });
+    std::erase_if(edges, [concave_bits](EdgeId edge) { return is_concave(concave_bits, edge); });
 }
 
 }  // namespace rimline

@@ -51,6 +51,12 @@ EdgeConvexity edge_convexity(const Mesh& mesh, EdgeId edge) noexcept;
 /// last regular edge are 0. O(regular edges).
 std::vector<std::uint32_t> concave_edge_bits(const Mesh& mesh);
 
+/// The bit of any edge of the mesh. O(1).
+inline bool is_concave(std::span<const std::uint32_t> concave_bits, EdgeId edge) noexcept {
+    const std::uint32_t e = index(edge);
+    return e / 32 < concave_bits.size() && (concave_bits[e / 32] >> (e % 32) & 1u) != 0;
+}
+
 /// Removes the edges whose bit is set from `edges`, and keeps the order of the others. `edges` may hold
 /// any edges of the mesh in any order. Edges beyond the last word are not concave. Does not allocate.
 /// O(edges).

@@ -9,16 +9,14 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "silhouette/mesh/opposite_corner.h"
+
 namespace rimline {
 
 namespace {
 
 // More than the errors of directions that are found in doubles and rounded to floats.
 constexpr double k_margin = 0x1p-22;
-
-bool has_corner(const Triangle& triangle, VertexId vertex) {
-    return std::ranges::find(triangle, vertex) != triangle.end();
-}
 
 // Contains the directions from a corner of a triangle to its other points: an arc of a great circle of less than half
 // a turn, which its chord misses by less than its height.

@@ -4,6 +4,10 @@
 
 namespace rimline {
 
+inline bool has_corner(const Triangle& face, VertexId vertex) noexcept {
+    return face[0] == vertex || face[1] == vertex || face[2] == vertex;
+}
+
 /// The corner of a face that is not on `edge`, one of its edges.
 inline VertexId opposite_corner(const Triangle& face, const Edge& edge) noexcept {
     for (const VertexId v : face)

@@ -4,9 +4,9 @@
 #include <bit>
 #include <glm/trigonometric.hpp>
 #include <numbers>
-#include <numeric>
 #include <optional>
 
+#include "silhouette/mesh/disjoint_sets.h"
 #include "silhouette/points/border_bend.h"
 #include "silhouette/points/supplement.h"
 
@@ -204,20 +204,14 @@ private:
     // is_member holds.
     template <typename IsMember>
     std::vector<std::uint32_t> connected(IsMember&& is_member) const {
-        std::vector<std::uint32_t> up(gaps_.size());
-        std::iota(up.begin(), up.end(), 0u);
-        const auto root = [&](std::uint32_t n) {
-            while (up[n] != n) n = up[n] = up[up[n]];
-            return n;
-        };
+        DisjointSets sets(gaps_.size());
         for (std::uint32_t n = 0; n < gaps_.size(); ++n) {
             if (!is_member(n)) continue;
             each_link(n, [&](std::uint32_t to) {
-                if (is_member(to)) up[root(n)] = root(to);
+                if (is_member(to)) sets.join(n, to);
             });
         }
-        for (std::uint32_t n = 0; n < gaps_.size(); ++n) up[n] = root(n);
-        return up;
+        return sets.take_numbers();
     }
 
     BorderGaps& gaps_;

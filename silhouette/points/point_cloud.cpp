@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "silhouette/error.h"
+#include "silhouette/is_finite.h"
 #include "silhouette/mesh/equal_positions.h"
 #include "silhouette/mesh/homogeneous_point.h"
 
@@ -17,7 +18,7 @@ constexpr std::uint32_t k_none = 0xffffffffu;
 
 bool is_usable(const glm::dvec3& p) {
     const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return false;
+    if (!is_finite(p)) return false;
     RIMLINE_CHECK(largest <= static_cast<double>(k_max_coordinate));
     return true;
 }

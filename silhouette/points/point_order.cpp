@@ -6,6 +6,7 @@
 
 #include "silhouette/error.h"
 #include "silhouette/hough/interleaved_bits.h"
+#include "silhouette/is_finite.h"
 #include "silhouette/points/each_point.h"
 #include "silhouette/points/stoppable_sort.h"
 #include "silhouette/unset_vector.h"
@@ -48,7 +49,7 @@ OrderedPoints order_points(std::span<const glm::dvec3> positions, const std::sto
     // Scales twice, so that no sum overflows: by the maximum coordinate, then by the longest side.
     double max_coordinate = 0.0;
     for (const glm::dvec3& p : positions) {
-        RIMLINE_CHECK(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+        RIMLINE_CHECK(is_finite(p));
         max_coordinate = std::max(max_coordinate, largest(glm::abs(p)));
     }
     const int first_exponent = max_coordinate > 0.0 ? -std::ilogb(max_coordinate) - 1 : 0;

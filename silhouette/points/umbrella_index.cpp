@@ -7,6 +7,7 @@
 
 #include "silhouette/hough/block_kernels.h"
 #include "silhouette/hough/reserved_bytes.h"
+#include "silhouette/is_finite.h"
 
 namespace rimline {
 
@@ -23,7 +24,7 @@ HomogeneousPoint limited_direction(const glm::dvec3& v) {
 }  // namespace
 
 HomogeneousPoint UmbrellaIndex::viewpoint(const glm::dvec3& point) const noexcept {
-    RIMLINE_CHECK(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z));
+    RIMLINE_CHECK(is_finite(point));
     const glm::dvec3 to = point - center_;
     const double largest = std::max({std::abs(to.x), std::abs(to.y), std::abs(to.z)});
     if (largest * scale_ <= k_farthest) return HomogeneousPoint::viewpoint(glm::vec3(to * scale_));
@@ -31,7 +32,7 @@ HomogeneousPoint UmbrellaIndex::viewpoint(const glm::dvec3& point) const noexcep
 }
 
 HomogeneousPoint UmbrellaIndex::direction(const glm::dvec3& v) const noexcept {
-    RIMLINE_CHECK(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z));
+    RIMLINE_CHECK(is_finite(v));
     return limited_direction(v);
 }
 

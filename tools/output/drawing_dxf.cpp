@@ -29,29 +29,15 @@ std::string layer_name(const PageLine& line) {
 // R12 has ASCII. AutoCAD reads other characters as \U+ and four hexadecimal digits, one for each number of 16 bits in
 // UTF-16, and so do programs that read its files.
 std::string dxf_text(std::string_view text) {
-    const std::string printable = printable_text(text);  // In UTF-8.
     std::string ascii;
-    const auto add_number = [&](std::uint32_t number) {
-        std::array<char, 16> escape{};
-        std::snprintf(escape.data(), escape.size(), "\\U+%04X", number);
-        ascii += escape.data();
-    };
-    for (std::size_t i = 0; i < printable.size();) {
-        const auto first = static_cast<std::uint8_t>(printable[i++]);
-        if (first < 0x80) {
-            ascii += static_cast<char>(first);
+    for (const char16_t unit : utf16_of(printable_text(text))) {
+        if (unit < 0x80) {
+            ascii += static_cast<char>(unit);
             continue;
         }
-        const std::size_t more = first >= 0xf0 ? 3 : first >= 0xe0 ? 2 : 1;
-        std::uint32_t code = first & (0x3fu >> more);
-        for (std::size_t j = 0; j < more; ++j)
-            code = code << 6 | (static_cast<std::uint8_t>(printable[i++]) & 0x3fu);
-        if (code >= 0x10000) {
-            add_number(0xd7c0 + (code >> 10));
-            add_number(0xdc00 + (code & 0x3ffu));
-        } else {
-            add_number(code);
-        }
+        std::array<char, 16> escape{};
+        std::snprintf(escape.data(), escape.size(), "\\U+%04X", unsigned{unit});
+        ascii += escape.data();
     }
     return ascii;
 }

@@ -57,23 +57,9 @@ std::string pdf_number(double value) {
 // `text`, which must be UTF-8, in the digits of UTF-16BE with a byte order mark (ISO 32000-1, 7.9.2.2).
 std::string pdf_utf16(std::string_view text) {
     std::string digits = "<FEFF";
-    const auto add = [&](std::uint32_t unit) {
+    for (const char16_t unit : utf16_of(text))
         for (const std::uint32_t shift : {12u, 8u, 4u, 0u})
             digits += "0123456789ABCDEF"[unit >> shift & 15];
-    };
-    while (!text.empty()) {
-        const auto first = static_cast<std::uint8_t>(text.front());
-        const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : first >= 0xc0 ? 2 : 1;
-        std::uint32_t code = length == 1 ? first : first & (0xffu >> (length + 1));
-        for (const char c : text.substr(1, length - 1)) code = code << 6 | (std::uint8_t(c) & 0x3f);
-        text.remove_prefix(length);
-        if (code < 0x10000) {
-            add(code);
-        } else {
-            add(0xd800 + ((code - 0x10000) >> 10));
-            add(0xdc00 + ((code - 0x10000) & 0x3ff));
-        }
-    }
     return digits + ">";
 }
 

@@ -12,6 +12,7 @@
 #include <span>
 #include <utility>
 
+#include "silhouette/is_finite.h"
 #include "silhouette/mesh/formats/file_colors.h"
 #include "silhouette/mesh/formats/off_colors.h"
 #include "silhouette/mesh/formats/readers.h"
@@ -227,9 +228,7 @@ MeshSource read_off(const SourceFile& file, BadPoints bad, const LongCall& call)
         source.positions.push_back(reader.read_vertex());
     }
     // Polygons are not triangulated if a position is not finite.
-    const bool all_finite = std::ranges::all_of(source.positions, [](const glm::vec3& p) {
-        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-    });
+    const bool all_finite = std::ranges::all_of(source.positions, is_finite<float>);
     source.triangles.reserve(face_count);
     std::vector<std::uint32_t> polygon;
     std::vector<OffColor>

@@ -6,6 +6,7 @@
 #include <new>
 #include <utility>
 
+#include "silhouette/is_finite.h"
 #include "silhouette/mesh/formats/file_format.h"
 #include "silhouette/mesh/formats/readers.h"
 #include "silhouette/mesh/homogeneous_point.h"
@@ -13,10 +14,6 @@
 namespace rimline {
 
 namespace {
-
-bool is_finite(const glm::dvec3& p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 PointSource read_points(const KnownFile& known, BadPoints bad, const LongCall& call) {
     PointRecords records;
@@ -28,7 +25,7 @@ PointSource read_points(const KnownFile& known, BadPoints bad, const LongCall& c
     }
     PointSource& source = records.source;
     // Faces are useless as a reference if a position is not finite.
-    if (!std::ranges::all_of(source.positions, is_finite))
+    if (!std::ranges::all_of(source.positions, is_finite<double>))
         source.triangles.clear();
     else if (records.has_faces)
         source.triangles = read_mesh(known, bad, {call.stop, {}}).triangles;

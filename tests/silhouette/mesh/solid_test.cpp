@@ -182,7 +182,7 @@ MeshSource spike(std::uint32_t sides) {
     return source;
 }
 
-TEST_CASE("cones are solids, and long thin faces in thousands are given up at once" *
+TEST_CASE("cones are solids and long thin faces in thousands are given up at once" *
           doctest::test_suite("plain")) {
     CHECK(is_solid(Mesh(cone(500))));
     CHECK(is_solid(Mesh(cone(50'000))));
