@@ -178,8 +178,7 @@ void SplatRenderer::record(VkCommandBuffer into, VkCommandBuffer picture_into,
             return retired.last_frame + state.frames_in_flight <= state.recorded + 1;
         });
     const std::size_t bytes = scene.strokes.size() * sizeof(gpu::StrokeRecord);
-    if (strokes.size() < std::max<std::size_t>(bytes, 4))
-        strokes = Buffer(state.context, bytes + bytes / 2, BufferPlace::upload, "the lines");
+    grow(strokes, state.context, bytes, BufferPlace::upload, "the lines");
     if (bytes > 0) std::memcpy(strokes.mapped(), scene.strokes.data(), bytes);
     state.numbers[slot] = ++state.recorded;
 

@@ -52,8 +52,7 @@ void DrawData::begin_frame(std::uint32_t slot, const gpu::FrameData& frame, std:
         throw Error(ErrorCode::too_large, "a scene's " + std::to_string(instances) +
                                               " instances and their lights are more than 4 GiB");
     Buffer& buffer = buffers_[slot];
-    if (buffer.size() < size) {
-        buffer = Buffer(context_, size, BufferPlace::upload, "frame data");
+    if (grow(buffer, context_, size, BufferPlace::upload, "frame data")) {
         const std::array sizes{sizeof frame, sizeof(gpu::InstanceData), sizeof(gpu::LightData)};
         std::array<VkDescriptorBufferInfo, k_bindings.size()> infos;
         std::array<VkWriteDescriptorSet, k_bindings.size()> writes;
@@ -75,8 +74,7 @@ void DrawData::begin_frame(std::uint32_t slot, const gpu::FrameData& frame, std:
 VkDeviceAddress DrawData::put_segments(std::span<const gpu::LineSegment> segments) {
     if (segments.empty()) return 0;
     Buffer& buffer = segments_[slot_];
-    if (buffer.size() < segments.size_bytes())
-        buffer = Buffer(context_, segments.size_bytes(), BufferPlace::upload, "lines");
+    grow(buffer, context_, segments.size_bytes(), BufferPlace::upload, "lines");
     std::memcpy(buffer.mapped(), segments.data(), segments.size_bytes());
     return buffer.address();
 }
@@ -85,8 +83,7 @@ DrawData::CornerList DrawData::make_corner_list(std::size_t corners) {
     if (corners == 0) return {};
     Buffer& buffer = corners_[slot_];
     const VkDeviceSize size = VkDeviceSize{corners} * sizeof(std::uint32_t);
-    if (buffer.size() < size)
-        buffer = Buffer(context_, size, BufferPlace::upload, "corners of fronts");
+    grow(buffer, context_, size, BufferPlace::upload, "corners of fronts");
     return {{reinterpret_cast<std::uint32_t*>(buffer.mapped()), corners}, buffer.handle()};
 }
 
@@ -95,8 +92,7 @@ DrawData::PartLists DrawData::make_part_lists(std::size_t sides, std::size_t fac
     Buffer& buffer = parts_[slot_];
     const VkDeviceSize sides_size = VkDeviceSize{sides} * sizeof(gpu::EdgeRecord);
     const VkDeviceSize size = sides_size + VkDeviceSize{faces} * sizeof(std::uint32_t);
-    if (buffer.size() < size)
-        buffer = Buffer(context_, size, BufferPlace::upload, "parts of shadow volumes");
+    grow(buffer, context_, size, BufferPlace::upload, "parts of shadow volumes");
     return {{reinterpret_cast<gpu::EdgeRecord*>(buffer.mapped()), sides},
             {reinterpret_cast<std::uint32_t*>(buffer.mapped() + sides_size), faces},
             buffer.address(),

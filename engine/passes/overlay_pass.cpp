@@ -83,10 +83,7 @@ void OverlayPass::record(Commands commands, std::uint32_t ring_slot, const Overl
     const std::uint64_t vertex_bytes = drawing.vertices.size() * sizeof(gpu::OverlayVertex);
     const std::uint64_t index_bytes = drawing.indices.size() * sizeof(std::uint32_t);
     Buffer& buffer = ring_.at(ring_slot);
-    // Panels grow by some letters a frame: spare capacity saves most allocations.
-    if (buffer.size() < vertex_bytes + index_bytes)
-        buffer =
-            Buffer(context_, 2 * (vertex_bytes + index_bytes), BufferPlace::upload, "the panel");
+    grow(buffer, context_, vertex_bytes + index_bytes, BufferPlace::upload, "the panel");
     std::memcpy(buffer.mapped(), drawing.vertices.data(), vertex_bytes);
     std::memcpy(buffer.mapped() + vertex_bytes, drawing.indices.data(), index_bytes);
 

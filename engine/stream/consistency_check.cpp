@@ -47,8 +47,7 @@ void ConsistencyCheck::record(Commands commands, std::uint32_t ring_slot,
         silhouettes[i]->read_tracker(frame.expected[i]);
         size += copied_bytes(frame.expected[i]);
     }
-    if (frame.copies.size() < size)
-        frame.copies = Buffer(context_, size, BufferPlace::readback, "the copy to check");
+    grow(frame.copies, context_, size, BufferPlace::readback, "the copy to check");
 
     record_barrier(commands, k_written, k_copied);
     VkDeviceSize offset = 0;

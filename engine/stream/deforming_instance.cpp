@@ -21,8 +21,8 @@ void DeformedFrame::record(const DeviceContext& context, Commands commands,
                            const DeformPasses& passes) {
     if (is_empty()) return;
     const VkDeviceSize size_bytes = sizeof(GpuSilhouetteCounts) * runs_.size();
-    if (counts_.size() < size_bytes)
-        counts_ = Buffer(context, size_bytes, BufferPlace::readback, "silhouette counts");
+    if (!runs_.empty())
+        grow(counts_, context, size_bytes, BufferPlace::readback, "silhouette counts");
     passes.deform.record(commands, meshes_);
     passes.silhouettes.record(commands, runs_);
     for (std::size_t i = 0; i < runs_.size(); ++i) {

@@ -93,6 +93,15 @@ Buffer::Buffer(const DeviceContext& context, VkDeviceSize size, BufferPlace plac
     address_ = context.vk->GetBufferDeviceAddress(context.device, &address);
 }
 
+bool grow(Buffer& buffer, const DeviceContext& context, VkDeviceSize size, BufferPlace place,
+          const char* what) {
+    constexpr VkDeviceSize k_most_spare = VkDeviceSize{16} << 20;
+    if (buffer.size() >= size && buffer.size() > 0) return false;
+    buffer = {};
+    buffer = Buffer(context, size + std::min(size / 2, k_most_spare), place, what);
+    return true;
+}
+
 Buffer upload_buffer(const DeviceContext& context, std::span<const std::byte> data,
                      const std::string& what) {
     Buffer buffer(context, data.size(), BufferPlace::device, what);

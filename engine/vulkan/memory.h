@@ -73,6 +73,12 @@ private:
     std::byte* mapped_ = nullptr;
 };
 
+/// Where `buffer` holds fewer bytes, makes it anew with up to half as many to spare, so that one that needs a little more
+/// each frame is not made each frame. No frame may use it, and its content is lost. Returns whether it was made. Throws as
+/// Buffer does; then it is empty.
+bool grow(Buffer& buffer, const DeviceContext& context, VkDeviceSize size, BufferPlace place,
+          const char* what);
+
 /// The address of every buffer is a multiple of it: of the largest alignment of a buffer reference (shaders/layout.h).
 constexpr VkDeviceSize k_min_buffer_alignment = 16;
 

@@ -1,5 +1,6 @@
 #include "engine/vulkan/memory.h"
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -69,6 +70,25 @@ TEST_CASE("buffers begin at multiples of 16, whatever the device asks for") {
     context.allocator = allocator;
     const Buffer buffer(context, 64, BufferPlace::device, "a test");
     CHECK(allocator->alignments == std::vector<VkDeviceSize>{k_min_buffer_alignment});
+}
+
+TEST_CASE("a buffer that needs a little more each frame is made a few times") {
+    RIMLINE_OPEN_GPU(gpu);
+    Buffer buffer;
+    int made = 0;
+    for (VkDeviceSize size = 0; size < 4000; ++size) {
+        made += grow(buffer, gpu->context(), size, BufferPlace::upload, "a test");
+        REQUIRE(buffer.size() >= std::max<VkDeviceSize>(size, 1));
+        REQUIRE(buffer.mapped() != nullptr);
+    }
+    CHECK(made < 25);
+    // It is kept where it is large enough, and large ones have little to spare.
+    const VkBuffer handle = buffer.handle();
+    CHECK_FALSE(grow(buffer, gpu->context(), 100, BufferPlace::upload, "a test"));
+    CHECK(buffer.handle() == handle);
+    constexpr VkDeviceSize k_large = VkDeviceSize{100} << 20;
+    CHECK(grow(buffer, gpu->context(), k_large, BufferPlace::upload, "a test"));
+    CHECK(buffer.size() < k_large + k_large / 4);
 }
 
 }  // namespace
