@@ -44,17 +44,19 @@ Picture BoundRenderer::render(const SharedMesh& shared, RenderOptions& options,
     check_has_extent(shared->name(), mesh);
     const glm::dvec3 up =
         settle_up(mesh, options.picture.up, options.picture.is_up_auto, call.stop).up;
-    const HoughOctree& octree = shared->octree(call);
+    // Shares of igea's time with lines and a chosen view. The device draws for the last third, which reports nothing.
+    const HoughOctree& octree = shared->octree(call.part(0.0, 0.15));
     const Turns::Turn turn(turns_, call);
     if (std::ranges::find(meshes_, shared) == meshes_.end()) meshes_.push_back(shared);
-    if (!options.picture.eye) options.picture.view.choose(shared->name(), mesh, up, call);
-    StillScene still(shared->name(), octree, options.style, options.picture, call);
+    if (!options.picture.eye)
+        options.picture.view.choose(shared->name(), mesh, up, call.part(0.15, 0.25));
+    StillScene still(shared->name(), octree, options.style, options.picture, call.part(0.25, 0.4));
     if (still.has_exact_lines()) {
         if (!lines_ || &lines_->surface().mesh() != &mesh) {
             lines_.reset();
-            lines_.emplace(octree, LineSurface::Contacts::found, call);
+            lines_.emplace(octree, LineSurface::Contacts::found, call.part(0.4, 0.6));
         }
-        still.add_lines(*lines_, call);
+        still.add_lines(*lines_, call.part(0.6, 0.65));
     }
     if (!renderer_) renderer_.emplace(device_.context());
     const ImageSize size = options.picture.size;

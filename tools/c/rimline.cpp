@@ -155,6 +155,18 @@ private:
     double last_ = 0.0;
 };
 
+// Of `count` faces or edges, whose vertices are to be written.
+void check_numbers(const uint32_t* numbers, size_t count, const uint32_t* vertices,
+                   uint32_t number_count, const std::string& kind) {
+    if (count == 0) return;
+    given(numbers, (kind + "s").c_str());
+    given(vertices, "vertices");
+    for (size_t i = 0; i < count; ++i)
+        if (numbers[i] >= number_count)
+            throw UsageError(kind + "s: there is no " + kind + " " + std::to_string(numbers[i]) +
+                             " among " + std::to_string(number_count));
+}
+
 HomogeneousPoint point_of(const rimline_point* point) {
     given(point, "point");
     const glm::dvec3 place(point->x, point->y, point->z);
@@ -176,6 +188,9 @@ void parse(CLI::App& app, const rimline_option* options, size_t count) {
         const CLI::Option* const option = app.get_option_no_throw("--" + name);
         if (option == nullptr || name == "help")
             throw UsageError("options: there is no option '" + name + "'");
+        if (std::ranges::any_of(options + i + 1, options + count,
+                                [&](const rimline_option& later) { return name == later.name; }))
+            throw UsageError("options: '" + name + "' is given twice");
         // An empty one would take the next option for its value.
         const bool has_value = options[i].value != nullptr && *options[i].value != '\0';
         if (!has_value && option->get_expected_max() != 0)
@@ -315,18 +330,34 @@ rimline_status rimline_mesh_get_info(const rimline_mesh* mesh, rimline_mesh_info
     });
 }
 
+rimline_status rimline_mesh_positions(const rimline_mesh* mesh, const float** positions,
+                                      size_t* vertex_count, rimline_error** error) {
+    return guarded(error, [&] {
+        *given(positions, "positions") = nullptr;
+        *given(vertex_count, "vertex_count") = 0;
+        const std::vector<glm::vec3>& all = given(mesh, "mesh")->shared->positions();
+        static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
+        *positions = reinterpret_cast<const float*>(all.data());
+        *vertex_count = all.size();
+    });
+}
+
+rimline_status rimline_mesh_face_vertices(const rimline_mesh* mesh, const uint32_t* faces,
+                                          size_t count, uint32_t* vertices, rimline_error** error) {
+    return guarded(error, [&] {
+        const rimline::Mesh& m = given(mesh, "mesh")->shared->mesh();
+        check_numbers(faces, count, vertices, m.face_count(), "face");
+        for (size_t i = 0; i < count; ++i)
+            for (size_t k = 0; k < 3; ++k)
+                vertices[3 * i + k] = m.file_vertex(m.triangles()[faces[i]][k]);
+    });
+}
+
 rimline_status rimline_mesh_edge_vertices(const rimline_mesh* mesh, const uint32_t* edges,
                                           size_t count, uint32_t* vertices, rimline_error** error) {
     return guarded(error, [&] {
         const rimline::Mesh& m = given(mesh, "mesh")->shared->mesh();
-        if (count > 0) {
-            given(edges, "edges");
-            given(vertices, "vertices");
-        }
-        for (size_t i = 0; i < count; ++i)
-            if (edges[i] >= m.edge_count())
-                throw UsageError("edges: there is no edge " + std::to_string(edges[i]) + " among " +
-                                 std::to_string(m.edge_count()));
+        check_numbers(edges, count, vertices, m.edge_count(), "edge");
         for (size_t i = 0; i < count; ++i)
             for (size_t end = 0; end < 2; ++end)
                 vertices[2 * i + end] =

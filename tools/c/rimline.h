@@ -59,7 +59,8 @@ RIMLINE_API void rimline_error_free(rimline_error* error);
 
 /* Long calls. */
 
-/** Receives the finished share, 0 to 1, on the thread of the call. It never decreases. Returns 0 to go on. Calls that it
+/** Receives the finished share, 0 to 1, on the thread of the call. It never decreases. Returns 0 to go on. Steps between two
+ * reports take up to a tenth of a second for 300,000 faces, and seconds for millions or where a device draws. Calls that it
  * makes with the drawer or renderer of the call, or that need what the call makes for its mesh, fail with
  * RIMLINE_BAD_ARGUMENT. */
 typedef int (*rimline_progress_function)(double share, void* user);
@@ -125,6 +126,15 @@ typedef struct rimline_mesh_info {
 
 RIMLINE_API rimline_status rimline_mesh_get_info(const rimline_mesh* mesh, rimline_mesh_info* info,
                                                  rimline_error** error);
+/** Where the vertices lie, with unused ones: 3 numbers each, valid until the mesh is freed. Trackers, drawers and renderers
+ * do not keep them. */
+RIMLINE_API rimline_status rimline_mesh_positions(const rimline_mesh* mesh, const float** positions,
+                                                  size_t* vertex_count, rimline_error** error);
+/** Writes the three vertices of each of `count` faces to `vertices`, 3 * count numbers, counter-clockwise from outside; of
+ * equal positions the first vertex. */
+RIMLINE_API rimline_status rimline_mesh_face_vertices(const rimline_mesh* mesh,
+                                                      const uint32_t* faces, size_t count,
+                                                      uint32_t* vertices, rimline_error** error);
 /** Writes the two vertices of each of `count` edges to `vertices`, 2 * count numbers. */
 RIMLINE_API rimline_status rimline_mesh_edge_vertices(const rimline_mesh* mesh,
                                                       const uint32_t* edges, size_t count,
@@ -150,7 +160,9 @@ typedef struct rimline_changes {
     size_t added_count;
     const uint32_t* removed; /**< Edges that left it. */
     size_t removed_count;
-    const uint32_t* slots; /**< Pairs: a slot, and its new edge. */
+    const uint32_t*
+        slots; /**< Pairs: a slot, and its new edge. Slots are less than the number of edges of the mesh: a
+                                buffer of them has room for all. The first silhouette_count of them are in use. */
     size_t slot_count;
     const uint32_t*
         words; /**< Pairs: a word of face bits, and its new bits. Face f is bit f % 32 of word f / 32. */

@@ -1,6 +1,10 @@
 #include "tools/options/line_page.h"
 
 #include <CLI/App.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <charconv>
 #include <optional>
 #include <string>
@@ -31,13 +35,36 @@ std::optional<glm::dvec2> parse_pair(std::string_view text, char separator, doub
     return glm::dvec2(*first, *second);
 }
 
+struct NamedPage {
+    std::string_view name;
+    glm::dvec2 size_mm;
+};
+
+// Upright: ISO 216, and those of North America.
+constexpr std::array<NamedPage, 10> k_pages{{{"a0", {841.0, 1189.0}},
+                                             {"a1", {594.0, 841.0}},
+                                             {"a2", {420.0, 594.0}},
+                                             {"a3", {297.0, 420.0}},
+                                             {"a4", {210.0, 297.0}},
+                                             {"a5", {148.0, 210.0}},
+                                             {"a6", {105.0, 148.0}},
+                                             {"letter", {215.9, 279.4}},
+                                             {"legal", {215.9, 355.6}},
+                                             {"tabloid", {279.4, 431.8}}}};
+
 void parse_page(const std::string& text, LinePage& page) {
     page.size_mm.reset();
-    if (text == "fit") return;
-    page.size_mm = parse_pair(text, 'x', 1.0, k_max_page_mm);
+    std::string name = text;
+    for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (name == "fit") return;
+    const auto named = std::ranges::find(k_pages, name, &NamedPage::name);
+    page.size_mm =
+        named != k_pages.end() ? named->size_mm : parse_pair(text, 'x', 1.0, k_max_page_mm);
     if (!page.size_mm)
-        throw CLI::ValidationError(
-            "--page", "expected fit, or WxH with both from 1 to 5000 mm, not '" + text + "'");
+        throw CLI::ValidationError("--page",
+                                   "expected fit, a0 to a6, letter, legal, tabloid, or WxH with "
+                                   "both from 1 to 5000 mm, not '" +
+                                       text + "'");
 }
 
 void parse_page_scale(const std::string& text, LinePage& page) {
@@ -53,10 +80,11 @@ void LinePage::add_to(CLI::App& app) {
     constexpr const char* k_group = "Page";
     app.add_option_function<std::string>(
            "--page", [this](const std::string& text) { parse_page(text, *this); },
-           "Width and height in mm; fit: as large as the drawing and its margins, without --scale "
-           "180 mm on the longer side")
-        ->type_name("WxH|fit")
-        ->default_str("210x297")
+           "Width and height in mm, or the name of an upright page: a0 to a6, letter, legal, "
+           "tabloid; fit: as large as the drawing and its margins, without --scale 180 mm on the "
+           "longer side")
+        ->type_name("WxH|NAME|fit")
+        ->default_str("a4")
         ->group(k_group);
     add_number(app, "--margin", margin_mm, 0.0, 1000.0,
                "Empty border of the page in mm, at least half of a line's width")

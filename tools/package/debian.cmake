@@ -47,6 +47,7 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME librimline1)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "silhouettes of 3D models - shared library for C\n${rest}")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libvulkan1")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "mesa-vulkan-drivers | vulkan-icd")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA
     "${CMAKE_CURRENT_LIST_DIR}/shlibs;${CMAKE_CURRENT_LIST_DIR}/triggers")
 
@@ -67,6 +68,7 @@ if(TARGET rimline_python)
             "import sys; print('python3 (>= %d.%d), python3 (<< %d.%d)' % (sys.version_info[:2] + (sys.version_info[0], sys.version_info[1] + 1)))"
         OUTPUT_VARIABLE versions OUTPUT_STRIP_TRAILING_WHITESPACE)
     set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${versions}, python3-numpy, libvulkan1")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "mesa-vulkan-drivers | vulkan-icd")
     set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-tqdm, python3-vtk9")
 endif()
 

@@ -58,6 +58,10 @@ NumberRows::NumberRows(py::handle value, std::string name, Kind kind)
     if (array_.ndim() == 1 && array_.size() == 0)  // [] is an empty list of rows.
         array_ = py::array_t<double>(std::vector<py::ssize_t>{0, 3});
     kind_ = array_.dtype().kind();
+    if (kind_ == 'O' && array_.ndim() == 0)  // No sequence: None, or a generator.
+        throw py::type_error(
+            name_ + ": expected rows of three numbers, not " +
+            py::str(py::type::handle_of(value).attr("__name__")).cast<std::string>());
     if (kind_ != 'f' && kind_ != 'i' && kind_ != 'u')
         throw py::type_error(name_ + ": expected real numbers, not " + type_text(array_));
     if (array_.ndim() != 2 || array_.shape(1) != 3)

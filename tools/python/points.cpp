@@ -5,6 +5,7 @@
 #include <string>
 
 #include "silhouette/mesh/equal_positions.h"
+#include "silhouette/mesh/formats/point_file.h"
 #include "silhouette/points/feature_weights.h"
 #include "silhouette/points/point_silhouette.h"
 #include "silhouette/points/point_surface.h"
@@ -95,6 +96,17 @@ std::unique_ptr<PythonPointSilhouette> silhouette_of(const PythonPoints& self,
     });
 }
 
+py::array load_points(const py::object& path, const py::object& progress) {
+    const std::string name = path_of(path);
+    const std::vector<glm::dvec3> positions = long_result(progress, [&](const LongCall& call) {
+        return read_point_file(name, BadPoints::refuse, call).positions;
+    });
+    py::array_t<double> result(
+        std::vector<py::ssize_t>{static_cast<py::ssize_t>(positions.size()), 3});
+    std::copy_n(&positions[0].x, 3 * positions.size(), result.mutable_data());
+    return result;
+}
+
 }  // namespace
 
 void bind_points(py::module_& module) {
@@ -168,6 +180,12 @@ void bind_points(py::module_& module) {
     py::tuple labels(k_label_names.size());
     for (std::size_t i = 0; i < k_label_names.size(); ++i) labels[i] = py::str(k_label_names[i]);
     module.attr("POINT_LABELS") = labels;
+
+    module.def("load_points", &load_points, py::arg("path"), py::kw_only(),
+               py::arg("progress") = py::none(),
+               "The points of a file, N x 3 float64 in its order: PLY, OBJ, XYZ, PTS or CSV, and "
+               "the vertices of STL, OFF, glTF and GLB. A file without points, or with one that is "
+               "not finite, raises InputError naming file and place.");
 }
 
 }  // namespace rimline::python

@@ -261,8 +261,8 @@ void bind_change_set(py::module_& module) {
         "What changed between two silhouettes of one mesh. Its arrays are views that stay valid "
         "as long as they live.\n\n"
         "With the slots and words of the sequence before, `slots[c.slots[:, 0]] = c.slots[:, 1]` "
-        "and likewise `words` give those of this one; of the slots the first silhouette_size are "
-        "in use.")
+        "and likewise `words` give those of this one. An array of slots needs len(mesh.edges) of "
+        "them: the first silhouette_size are in use, and that number grows and shrinks.")
         .def_property_readonly(
             "flipped", [](const py::object& s) { return view_of(s, &ChangeSet::flipped); },
             "N uint32: faces that turned, each once.")

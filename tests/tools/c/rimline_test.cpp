@@ -108,6 +108,26 @@ TEST_CASE("arrays become a mesh, and wrong ones an error that names the place") 
               return rimline_mesh_edge_vertices(mesh, none, 1, vertices.data(), e);
           }) == RIMLINE_BAD_ARGUMENT);
     rimline_bytes_free(edges);
+    const float* places = nullptr;
+    std::size_t place_count = 0;
+    REQUIRE(rimline_mesh_positions(mesh, &places, &place_count, nullptr) == RIMLINE_OK);
+    REQUIRE(place_count == 4);
+    CHECK(std::memcmp(places, positions, sizeof positions) == 0);
+    const std::uint32_t faces[] = {0, 1, 2, 3};
+    std::uint32_t face_corners[12] = {};
+    REQUIRE(rimline_mesh_face_vertices(mesh, faces, 4, face_corners, nullptr) == RIMLINE_OK);
+    CHECK(std::memcmp(face_corners, corners, sizeof corners) == 0);
+    const std::uint32_t no_face[] = {0, 4};
+    CHECK(failing([&](rimline_error** e) {
+              return rimline_mesh_face_vertices(mesh, no_face, 2, face_corners, e);
+          }) == RIMLINE_BAD_ARGUMENT);
+    CHECK(failing([&](rimline_error** e) {
+              return rimline_mesh_face_vertices(mesh, nullptr, 1, face_corners, e);
+          }) == RIMLINE_BAD_ARGUMENT);
+    CHECK(failing([&](rimline_error** e) {
+              return rimline_mesh_positions(nullptr, &places, &place_count, e);
+          }) == RIMLINE_BAD_ARGUMENT);
+    CHECK(places == nullptr);
     rimline_mesh_free(mesh);
 
     const std::uint32_t outside[] = {0, 1, 4};
@@ -287,6 +307,11 @@ TEST_CASE("null handles and wrong arguments are errors, never crashes") {
     CHECK(rimline_drawer_draw(drawer, no_value, 2, nullptr, &drawing, &without) ==
           RIMLINE_BAD_ARGUMENT);
     CHECK(std::string(rimline_error_message(without)) == "options: eye needs a value");
+    rimline_error_free(without);
+    const rimline_option twice[] = {{"eye", "1,2,3"}, {"fov", "30"}, {"eye", "3,2,1"}};
+    CHECK(rimline_drawer_draw(drawer, twice, 3, nullptr, &drawing, &without) ==
+          RIMLINE_BAD_ARGUMENT);
+    CHECK(std::string(rimline_error_message(without)) == "options: 'eye' is given twice");
     rimline_error_free(without);
     wrong([&](auto e) { return rimline_drawer_draw(drawer, nullptr, 1, nullptr, &drawing, e); });
     REQUIRE(rimline_drawer_draw(drawer, nullptr, 0, nullptr, &drawing, nullptr) == RIMLINE_OK);

@@ -40,6 +40,12 @@ CONVERSIONS = [
 ]
 
 
+def test_what_is_no_rows_is_named():
+    for wrong, name in ((None, "NoneType"), ((row for row in TRIANGLE), "generator")):
+        with pytest.raises(TypeError, match=f"vertices: expected rows of three numbers, not {name}"):
+            rimline.Mesh(wrong, FACES)
+
+
 @pytest.mark.parametrize("call, words", CONVERSIONS)
 def test_errors_of_conversions_are_passed_on(call, words):
     for error in (KeyboardInterrupt("now"), MemoryError("full"), OSError(5, "lost")):

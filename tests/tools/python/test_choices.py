@@ -86,10 +86,15 @@ def test_views_of_a_path_are_a_number_views_or_points(knot):
     path = rimline.camera_path(knot, np.int64(3), visible=False)
     views = rimline.best_views(knot, 3, visible=False)
     eyes = np.array([view.eye for view in views])
-    for same in (views, eyes, eyes.tolist(), np.asfortranarray(eyes)):
+    for same in (views, eyes, eyes.tolist(), np.asfortranarray(eyes), (view.eye for view in views)):
         assert (rimline.camera_path(knot, same).nodes == path.nodes).all()
     with pytest.raises(TypeError, match="views: expected an integer, views or points, not float"):
         rimline.camera_path(knot, 2.0, visible=False)
+    with pytest.raises(TypeError, match="below: only where views is a number"):
+        rimline.camera_path(knot, views, below="full")
+    for count_or_views in (3, views):
+        with pytest.raises(TypeError, match="unexpected keyword argument 'belw'"):
+            rimline.camera_path(knot, count_or_views, belw="full")
     for wrong in (1, np.int64(65), eyes[:1], []):
         with pytest.raises(ValueError, match="views: expected "):
             rimline.camera_path(knot, wrong)
@@ -134,6 +139,21 @@ def test_points_are_those_of_the_command(tmp_path):
     assert silhouette.edges.tolist() == told["consensus_edges"]
     direction = surface.silhouette(direction=(1, 0.2, 0.3))
     assert len(direction) > 0
+
+
+def test_points_of_files_are_rows(tmp_path):
+    rows = np.random.default_rng(3).normal(size=(50, 3))
+    cloud = tmp_path / "scan é.xyz"
+    np.savetxt(cloud, rows, fmt="%.17g")
+    points = rimline.load_points(cloud)
+    assert points.dtype == np.float64 and (points == rows).all()
+    np.savetxt(tmp_path / "scan.csv", rows, fmt="%.17g", delimiter=",", header="x,y,z", comments="")
+    assert (rimline.load_points(str(tmp_path / "scan.csv")) == rows).all()
+    cloud.write_text("1 2 3\n1 2 nan\n")
+    with pytest.raises(rimline.InputError, match="scan é.xyz:2"):
+        rimline.load_points(cloud)
+    with pytest.raises(rimline.MissingFileError):
+        rimline.load_points(tmp_path / "none.xyz")
 
 
 def test_points_of_a_sphere_have_radial_normals_and_a_round_silhouette():

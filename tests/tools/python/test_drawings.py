@@ -297,3 +297,9 @@ assert texts() == before
     result = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=300,
                             env={**os.environ, "LOCPATH": str(tmp_path), "PYTHONPATH": os.pathsep.join(sys.path)})
     assert result.returncode == 0, result.stderr
+
+
+def test_progress_of_a_picture_leaves_time_for_the_device():
+    shares = []
+    rimline.render(rimline.load("shape:knot:20000"), size=(64, 64), progress=shares.append)
+    assert shares == sorted(shares) and shares[-1] == 1.0 and shares[-2] < 0.7

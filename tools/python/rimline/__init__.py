@@ -20,6 +20,7 @@ from __future__ import annotations
 
 import collections.abc
 import importlib
+import inspect
 import operator
 import os
 import re
@@ -60,6 +61,7 @@ from rimline._rimline import (
     best_light,
     devices,
     load,
+    load_points,
 )
 
 __all__ = [
@@ -99,6 +101,7 @@ __all__ = [
     "devices",
     "draw",
     "load",
+    "load_points",
     "render",
 ]
 
@@ -298,7 +301,7 @@ def best_views(
 
 def camera_path(
     mesh: Mesh,
-    views: SupportsIndex | Sequence[View] | npt.NDArray[Any] = 4,
+    views: SupportsIndex | Iterable[View | Vector] | npt.NDArray[Any] = 4,
     *,
     up: Vector | str | None = None,
     progress: Any = None,
@@ -313,13 +316,20 @@ def camera_path(
             raise TypeError(f"views: expected an integer, views or points, not {type(views).__name__}")
         if not 2 <= operator.index(views) <= 64:
             raise ValueError(f"views: expected 2 to 64, not {operator.index(views)}")
+        unknown = next((name for name in options if name not in inspect.signature(best_views).parameters), None)
+        if unknown is not None:
+            raise TypeError(f"camera_path() got an unexpected keyword argument '{unknown}'")
         with _Parts(progress) as parts:
             found = best_views(mesh, views, up=up, progress=parts.part(0.0, 0.7), **options)
             found_eyes: list[Any] = [view.eye for view in found]
             return CameraPath(mesh, found_eyes, up=up, progress=parts.part(0.7, 1.0))
     if options:
-        raise TypeError(f"unexpected keyword argument '{next(iter(options))}'")
-    eyes = [view.eye if isinstance(view, View) else view for view in views]
+        name = next(iter(options))
+        known = inspect.signature(best_views).parameters
+        raise TypeError(
+            f"{name}: only where views is a number" if name in known else f"unexpected keyword argument '{name}'"
+        )
+    eyes: list[Any] = [view.eye if isinstance(view, View) else view for view in views]
     if len(eyes) < 2:
         raise ValueError(f"views: expected at least two, not {len(eyes)}")
     try:

@@ -261,6 +261,8 @@ class PointSilhouette:
     @property
     def edges(self) -> npt.NDArray[np.uint32]: ...
 
+def load_points(path: _Path, *, progress: _Progress = None) -> npt.NDArray[np.float64]: ...
+
 class PointSurface:
     def __init__(
         self, points: _Rows, *, k: SupportsIndex = 16, drop_outliers: bool = False, progress: _Progress = None
