@@ -13,6 +13,7 @@
 #include "silhouette/field/camera_path.h"
 #include "silhouette/field/camera_tour.h"
 #include "silhouette/field/named_functions.h"
+#include "silhouette/field/ray_ratios.h"
 #include "silhouette/field/sun_choice.h"
 #include "silhouette/field/tangential_field.h"
 #include "silhouette/field/unit_planes.h"
@@ -114,7 +115,7 @@ struct PythonView {
 };
 
 // `renderer` is None where votes alone count.
-py::list best_views(const py::object& mesh_object, const py::object& count,
+py::list best_views(const py::object& mesh_object, const py::object& count, bool visible,
                     const py::object& renderer, const py::object& below, const py::object& by_area,
                     const py::object& up, const py::object& progress) {
     const SharedMesh shared = mesh_of(mesh_object);
@@ -131,17 +132,24 @@ py::list best_views(const py::object& mesh_object, const py::object& count,
         tools::check_viewing_range(mesh.name(), mesh.mesh());
         const TangentialField field =
             make_view_field(mesh.mesh(), choice.field_options(), view_function(), call.stop);
-        if (!drawer) return find_best_views(field, choice.options(mesh.mesh(), upwards, {}), call);
         BestViews found;
-        drawer->measure(mesh, call, [&](const VisibleRatios& ratios) {
+        const auto find = [&](const VisibleRatios& ratios) {
             found = find_best_views(field, choice.options(mesh.mesh(), upwards, ratios), call);
-        });
+        };
+        if (!visible) {
+            find({});
+        } else if (drawer) {
+            drawer->measure(mesh, call, find);
+        } else {  // Without a device.
+            const RayRatios rays(mesh.octree(call), {}, {call.stop, {}});
+            find([&](std::span<const glm::dvec3> eyes) { return rays.measure(eyes, call.stop); });
+        }
         return found;
     });
     py::list views;
     for (const BestView& view : best.views)
         views.append(PythonView{tools::camera_of_view(shared->mesh(), view.eye, upwards, k_aspect),
-                                view, drawer != nullptr});
+                                view, visible});
     return views;
 }
 
@@ -299,8 +307,9 @@ void bind_fields(py::module_& module) {
              "Eyes and up axes (each N x 3 float64) of 1 to 1,000,000 equally spaced cameras that "
              "look at the mesh's center.");
 
-    module.def("_best_views", &best_views, py::arg("mesh"), py::arg("count"), py::arg("renderer"),
-               py::arg("below"), py::arg("by_area"), py::arg("up"), py::arg("progress"));
+    module.def("_best_views", &best_views, py::arg("mesh"), py::arg("count"), py::arg("visible"),
+               py::arg("renderer"), py::arg("below"), py::arg("by_area"), py::arg("up"),
+               py::arg("progress"));
     module.def("best_light", &best_light, py::arg("mesh"), py::arg("eye"), py::kw_only(),
                py::arg("by") = "tones", py::arg("up") = py::none(),
                py::arg("progress") = py::none(),

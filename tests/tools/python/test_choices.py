@@ -1,5 +1,9 @@
 """Fields, views, paths, lights and point clouds: what the program says, and closed forms."""
 
+import os
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 from conftest import command, have_device
@@ -55,6 +59,19 @@ def test_views_are_those_of_the_command(knot):
     for wrong in ({"count": 0}, {"count": 65}, {"below": "more"}):
         with pytest.raises(ValueError):
             rimline.best_views(knot, **wrong)
+
+
+def test_views_need_no_device():
+    words = "import rimline; print([(*v.eye, v.visible_ratio) for v in rimline.best_views(rimline.load('shape:knot:2000'), 3)])"
+    none = {name: value for name, value in os.environ.items() if name != "RIMLINE_DEVICE"}
+    none.update(VK_ICD_FILENAMES="/nonexistent", VK_DRIVER_FILES="/nonexistent")
+    result = subprocess.run([sys.executable, "-c", words], env=none, capture_output=True, text=True, check=True)
+    views = np.array(eval(result.stdout, {"np": np}))
+    assert views.shape == (3, 4) and (views[:, 3] > 0.3).all()
+    # A device that is asked for must be there.
+    none["RIMLINE_DEVICE"] = "no-such-device"
+    asked = subprocess.run([sys.executable, "-c", words], env=none, capture_output=True, text=True)
+    assert asked.returncode != 0 and "NoDeviceError" in asked.stderr
 
 
 def test_paths_pass_through_the_views(knot):

@@ -285,7 +285,8 @@ def best_views(
 ) -> list[View]:
     """The viewpoints that together show a mesh best, the best one first.
 
-    visible: weigh votes by the visible share of the silhouette, which is drawn by `renderer` or on the default device.
+    visible: weigh votes by the visible share of the silhouette, which is drawn by `renderer` or on the default device;
+    without any device rays count it.
     below: 'less', views from below, from behind and of the ends of long meshes count less; 'full', they do not.
     by_area: planes count by the areas of their faces. count: 1 to 64; there are fewer views where no other shows more.
     up: a direction, an axis as 'z' or '-y', or 'auto': along which the mesh stands; None: mesh.up.
@@ -295,8 +296,12 @@ def best_views(
     if renderer is not None and not isinstance(renderer, _rimline.Renderer):
         raise TypeError(f"renderer: expected a rimline.Renderer, not {type(renderer).__name__}")
     if visible and renderer is None:
-        renderer = _renderer()
-    return _rimline._best_views(mesh, count, renderer if visible else None, below, by_area, up, progress)
+        try:
+            renderer = _renderer()
+        except NoDeviceError:
+            if os.environ.get("RIMLINE_DEVICE"):
+                raise  # One was asked for.
+    return _rimline._best_views(mesh, count, bool(visible), renderer, below, by_area, up, progress)
 
 
 def camera_path(

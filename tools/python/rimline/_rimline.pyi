@@ -239,6 +239,7 @@ class CameraPath:
 def _best_views(
     mesh: Mesh,
     count: SupportsIndex,
+    visible: bool,
     renderer: Renderer | None,
     below: str,
     by_area: bool,
