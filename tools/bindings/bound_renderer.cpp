@@ -54,15 +54,15 @@ Picture BoundRenderer::render(const SharedMesh& shared, RenderOptions& options,
     if (still.has_exact_lines()) {
         if (!lines_ || &lines_->surface().mesh() != &mesh) {
             lines_.reset();
-            lines_.emplace(octree, LineSurface::Contacts::found, call.part(0.4, 0.6));
+            lines_.emplace(octree, shared->line_surface(call.part(0.4, 0.6)));
         }
         still.add_lines(*lines_, call.part(0.6, 0.65));
     }
     if (!renderer_) renderer_.emplace(device_.context());
     const ImageSize size = options.picture.size;
     Picture picture = renderer_->render(still.scene(), size.width, size.height);
-    std::erase_if(meshes_, [&](const SharedMesh& other) { return other != shared; });
     if (lines_ && &lines_->surface().mesh() != &mesh) lines_.reset();
+    std::erase_if(meshes_, [&](const SharedMesh& other) { return other != shared; });
     call.checkpoint(1.0);
     options.style.finish(options.picture).apply(picture);
     return picture;

@@ -43,9 +43,13 @@ double pixels_a_unit(const Camera& camera, ImageSize size) {
 ShownLines::ShownLines(const HoughOctree& octree, LineSurface::Contacts contacts,
                        const LongCall& call)
     : octree_(octree),
-      surface_(octree.mesh(), contacts, call),
+      own_surface_(std::in_place, octree.mesh(), contacts, call),
+      surface_(*own_surface_),
       drawer_(surface_),
       materials_(octree.mesh()) {}
+
+ShownLines::ShownLines(const HoughOctree& octree, const LineSurface& surface)
+    : octree_(octree), surface_(surface), drawer_(surface_), materials_(octree.mesh()) {}
 
 const PictureLines* ShownLines::draw(const Camera& camera, ImageSize size, const LineStyle& style,
                                      const LongCall& call) {

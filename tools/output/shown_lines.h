@@ -4,6 +4,7 @@
 // the picture's camera, as the engine draws it.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "engine/camera.h"
@@ -23,6 +24,8 @@ public:
     explicit ShownLines(const HoughOctree& octree,
                         LineSurface::Contacts contacts = LineSurface::Contacts::found,
                         const LongCall& call = {});
+    /// With a surface of the octree's mesh that is there already. It must outlive this object.
+    ShownLines(const HoughOctree& octree, const LineSurface& surface);
 
     const LineSurface& surface() const noexcept { return surface_; }
 
@@ -47,7 +50,8 @@ private:
     void add_part(std::size_t first, std::size_t last, bool is_hidden, bool is_closed);
 
     const HoughOctree& octree_;
-    LineSurface surface_;
+    std::optional<LineSurface> own_surface_;
+    const LineSurface& surface_;
     LineDrawer drawer_;
     std::vector<std::uint8_t> creases_;  // By edge, whether it is a crease that is drawn.
     double crease_degrees_ = 0.0;        // Of these.
