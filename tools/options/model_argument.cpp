@@ -186,6 +186,7 @@ void check_viewing_range(const std::string& model, const Mesh& mesh) {
 }
 
 void check_has_extent(const std::string& model, const Mesh& mesh) {
+    if (mesh.face_count() == 0) throw Error(ErrorCode::bad_input, model + ": it has no faces");
     check_viewing_range(model, mesh);
     check_is_no_point(model, mesh);
 }

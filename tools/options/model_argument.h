@@ -69,7 +69,7 @@ Mesh make_mesh(const std::string& model, const MeshSource& source, const Context
 void check_viewing_range(const std::string& model, const Mesh& mesh);
 /// Throws Error{bad_input} if all vertices are one point.
 void check_is_no_point(const std::string& model, const Mesh& mesh);
-/// Both.
+/// Both. Throws Error{bad_input} for a mesh without faces.
 void check_has_extent(const std::string& model, const Mesh& mesh);
 /// Throws Error{bad_input} for a mesh whose faces are all degenerate.
 void check_has_planes(const std::string& model, const Mesh& mesh);

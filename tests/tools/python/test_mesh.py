@@ -152,7 +152,7 @@ def test_an_empty_mesh_has_nothing():
         tracker = rimline.Tracker(mesh, (1, 2, 3))
         assert len(tracker.move_to((3, 2, 1)).added) == 0
         for draw in (rimline.draw, rimline.render):
-            with pytest.raises(rimline.InputError):
+            with pytest.raises(rimline.InputError, match="it has no faces"):
                 draw(mesh)
         assert rimline.best_views(mesh, visible=False) == []
 
