@@ -20,18 +20,17 @@ void DeformedFrame::add(const SilhouetteRun& run, Purpose purpose, bool is_first
 void DeformedFrame::record(const DeviceContext& context, Commands commands,
                            const DeformPasses& passes) {
     if (is_empty()) return;
-    const VkDeviceSize size_bytes = sizeof(GpuSilhouetteCounts) * runs_.size();
-    if (!runs_.empty())
-        grow(counts_, context, size_bytes, BufferPlace::readback, "silhouette counts");
     passes.deform.record(commands, meshes_);
     passes.silhouettes.record(commands, runs_);
+    if (runs_.empty()) return;
+    grow(counts_, context, sizeof(GpuSilhouetteCounts) * runs_.size(), BufferPlace::readback,
+         "silhouette counts");
     for (std::size_t i = 0; i < runs_.size(); ++i) {
         const VkBufferCopy region{.dstOffset = sizeof(GpuSilhouetteCounts) * i,
                                   .size = sizeof(GpuSilhouetteCounts)};
         commands->CmdCopyBuffer(commands, runs_[i].silhouette->counts().handle(), counts_.handle(),
                                 1, &region);
     }
-    if (runs_.empty()) return;
     record_barrier(commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
                    {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
 }

@@ -17,6 +17,11 @@ namespace {
 constexpr VkDeviceSize k_first_block_bytes = VkDeviceSize{1} << 20;
 constexpr VkDeviceSize k_max_block_bytes = VkDeviceSize{64} << 20;
 
+// Types with these are for devices whose features ask for them.
+constexpr VkMemoryPropertyFlags k_special_types = VK_MEMORY_PROPERTY_PROTECTED_BIT |
+                                                  VK_MEMORY_PROPERTY_DEVICE_COHERENT_BIT_AMD |
+                                                  VK_MEMORY_PROPERTY_DEVICE_UNCACHED_BIT_AMD;
+
 }  // namespace
 
 // One VkDeviceMemory.
@@ -63,11 +68,6 @@ MemoryBlocks::MemoryBlocks(std::shared_ptr<const DeviceFunctions> vk,
       budget_of_(budget_of) {}
 
 MemoryBlocks::~MemoryBlocks() = default;
-
-// Types with these are for devices whose features ask for them.
-constexpr VkMemoryPropertyFlags k_special_types = VK_MEMORY_PROPERTY_PROTECTED_BIT |
-                                                  VK_MEMORY_PROPERTY_DEVICE_COHERENT_BIT_AMD |
-                                                  VK_MEMORY_PROPERTY_DEVICE_UNCACHED_BIT_AMD;
 
 // All types that serve, the best first. Wanted properties are given up one after the other, from the rarest.
 std::vector<std::uint32_t> MemoryBlocks::types_for(const MemoryRequest& request) const {

@@ -48,7 +48,7 @@ std::unique_ptr<BoundDrawing> BoundDrawer::draw(const DrawOptions& options, bool
     const Mesh& mesh = mesh_->mesh();
     LineCameraOptions camera_options = options.camera;
     camera_options.settle_up(mesh, call.stop);
-    camera_options.choose_view(mesh_->name(), mesh, call);
+    camera_options.choose_view(mesh_->name(), mesh, call.part(0.0, 0.3));
     const LineCamera camera = camera_options.make_camera(mesh_->name(), mesh);
     const ShownPart part = shown_part(camera, mesh, options.page.aspect());
     const ViewCell cell{part.low, part.high, 0, 0};
@@ -64,8 +64,9 @@ std::unique_ptr<BoundDrawing> BoundDrawer::draw(const DrawOptions& options, bool
         line_options.shown_creases = creases_;
     }
 
+    const LongCall drawn = call.part(0.3, 0.95);
     auto result = std::make_unique<BoundDrawing>(
-        BoundDrawing{.drawing = draw_lines(camera.view, line_options, follows, call),
+        BoundDrawing{.drawing = draw_lines(camera.view, line_options, follows, drawn),
                      .page = {.title = "Lines of " + mesh_->name(),
                               .size_mm = page.size_mm,
                               .lines = {},
@@ -86,6 +87,7 @@ std::unique_ptr<BoundDrawing> BoundDrawer::draw(const DrawOptions& options, bool
     if (lines.hidden_by > 0) page_options.hidden_by = lines.hidden_by;
     if (part.is_cut) page_options.frame = {part.low, part.high};
     add_page_lines(result->drawing, place, page_options, result->page.lines);
+    call.checkpoint(1.0);
     if (!lines.draws_hidden())
         std::erase_if(result->page.lines, [](const PageLine& line) { return line.is_hidden; });
     return result;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/measure/view_ratios.h"
+#include "silhouette/field/ray_ratios.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/up_option.h"
 #include "tools/output/still_scene.h"
@@ -74,6 +75,13 @@ void BoundRenderer::measure(BoundMesh& mesh, const LongCall& call,
     const Turns::Turn turn(turns_, call);
     ViewRatios ratios(device_.context(), octree, call.stop);
     use([&](std::span<const glm::dvec3> eyes) { return ratios.measure(eyes, call.stop); });
+}
+
+void measure_views(BoundMesh& mesh, BoundRenderer* renderer, const LongCall& call,
+                   const std::function<void(const VisibleRatios& ratios)>& use) {
+    if (renderer != nullptr) return renderer->measure(mesh, call, use);
+    const RayRatios rays(mesh.octree(call), {}, call);
+    use([&](std::span<const glm::dvec3> eyes) { return rays.measure(eyes, call.stop); });
 }
 
 }  // namespace rimline::tools

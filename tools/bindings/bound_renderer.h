@@ -56,4 +56,9 @@ private:
     std::optional<Renderer> renderer_;
 };
 
+/// Calls use(ratios) with those that `renderer` measures; without one, with those of rays (ray_ratios.h), which need no
+/// device.
+void measure_views(BoundMesh& mesh, BoundRenderer* renderer, const LongCall& call,
+                   const std::function<void(const VisibleRatios& ratios)>& use);
+
 }  // namespace rimline::tools

@@ -18,7 +18,6 @@
 #include <type_traits>
 #include <vector>
 
-#include "silhouette/field/ray_ratios.h"
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/printable_text.h"
 #include "tools/bindings/bound_drawer.h"
@@ -576,14 +575,8 @@ rimline_status rimline_best_views(const rimline_mesh* mesh, rimline_renderer* re
         const auto find = [&](const rimline::VisibleRatios& ratios) {
             best = find_best_views(field, choice.options(m, up, ratios), searched);
         };
-        if (renderer == nullptr) {
-            const rimline::RayRatios rays(bound.octree(prepared), {}, prepared);
-            find([&](std::span<const glm::dvec3> eyes) {
-                return rays.measure(eyes, searched.stop);
-            });
-        } else {
-            renderer->renderer.measure(bound, prepared, find);
-        }
+        rimline::tools::measure_views(bound, renderer == nullptr ? nullptr : &renderer->renderer,
+                                      prepared, find);
         for (const rimline::BestView& view : best.views)
             views[(*count)++] = {.eye = {view.eye.x, view.eye.y, view.eye.z},
                                  .score = view.score(),

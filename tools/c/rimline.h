@@ -59,8 +59,9 @@ RIMLINE_API void rimline_error_free(rimline_error* error);
 
 /* Long calls. */
 
-/** Receives the finished share, 0 to 1, on the thread of the call. It never decreases. Returns 0 to go on. Steps between two
- * reports take up to a tenth of a second for 300,000 faces, and seconds for millions or where a device draws. Calls that it
+/** Receives the finished share, 0 to 1, on the thread of the call. It never decreases. Returns 0 to go on. Between
+ * two reports of a mesh of 300,000 faces lies a tenth of a second, or a second where views are chosen or a device draws;
+ * of millions of faces, several seconds. Calls that it
  * makes with the drawer or renderer of the call, or that need what the call makes for its mesh, fail with
  * RIMLINE_BAD_ARGUMENT. */
 typedef int (*rimline_progress_function)(double share, void* user);
@@ -126,8 +127,7 @@ typedef struct rimline_mesh_info {
 
 RIMLINE_API rimline_status rimline_mesh_get_info(const rimline_mesh* mesh, rimline_mesh_info* info,
                                                  rimline_error** error);
-/** Where the vertices lie, with unused ones: 3 numbers each, valid until the mesh is freed. Trackers, drawers and renderers
- * do not keep them. */
+/** Where the vertices lie, with unused ones: 3 numbers each, valid until the mesh is freed. */
 RIMLINE_API rimline_status rimline_mesh_positions(const rimline_mesh* mesh, const float** positions,
                                                   size_t* vertex_count, rimline_error** error);
 /** Writes the three vertices of each of `count` faces to `vertices`, 3 * count numbers, counter-clockwise from outside; of
@@ -160,9 +160,9 @@ typedef struct rimline_changes {
     size_t added_count;
     const uint32_t* removed; /**< Edges that left it. */
     size_t removed_count;
-    const uint32_t*
-        slots; /**< Pairs: a slot, and its new edge. Slots are less than the number of edges of the mesh: a
-                                buffer of them has room for all. The first silhouette_count of them are in use. */
+    /** Pairs: a slot, and its new edge. A buffer has room for all slots if it is as long as the mesh has edges; the first
+     * silhouette_count are in use. */
+    const uint32_t* slots;
     size_t slot_count;
     const uint32_t*
         words; /**< Pairs: a word of face bits, and its new bits. Face f is bit f % 32 of word f / 32. */
@@ -179,7 +179,8 @@ RIMLINE_API void rimline_tracker_free(rimline_tracker* tracker);
 RIMLINE_API rimline_status rimline_tracker_move(rimline_tracker* tracker,
                                                 const rimline_point* point,
                                                 rimline_changes* changes, rimline_error** error);
-/** The edges of the silhouette, in the order of slots; valid until the tracker moves or is freed. */
+/** The edges of the silhouette, in the order of slots; valid until the tracker moves or is freed. A copy that is to
+ * follow rimline_changes.slots needs room for all edges of the mesh (rimline_mesh_info.edges). */
 RIMLINE_API rimline_status rimline_tracker_silhouette(const rimline_tracker* tracker,
                                                       const uint32_t** edges, size_t* count,
                                                       rimline_error** error);

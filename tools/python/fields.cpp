@@ -13,7 +13,6 @@
 #include "silhouette/field/camera_path.h"
 #include "silhouette/field/camera_tour.h"
 #include "silhouette/field/named_functions.h"
-#include "silhouette/field/ray_ratios.h"
 #include "silhouette/field/sun_choice.h"
 #include "silhouette/field/tangential_field.h"
 #include "silhouette/field/unit_planes.h"
@@ -114,7 +113,7 @@ struct PythonView {
     bool is_weighted;
 };
 
-// `renderer` is None where votes alone count.
+// `visible`: not only votes count. `renderer` is None where rays tell what is visible.
 py::list best_views(const py::object& mesh_object, const py::object& count, bool visible,
                     const py::object& renderer, const py::object& below, const py::object& by_area,
                     const py::object& up, const py::object& progress) {
@@ -132,18 +131,15 @@ py::list best_views(const py::object& mesh_object, const py::object& count, bool
         tools::check_viewing_range(mesh.name(), mesh.mesh());
         const TangentialField field =
             make_view_field(mesh.mesh(), choice.field_options(), view_function(), call.stop);
+        const LongCall searched = call.part(visible ? 0.1 : 0.0, 1.0);
         BestViews found;
         const auto find = [&](const VisibleRatios& ratios) {
-            found = find_best_views(field, choice.options(mesh.mesh(), upwards, ratios), call);
+            found = find_best_views(field, choice.options(mesh.mesh(), upwards, ratios), searched);
         };
-        if (!visible) {
+        if (visible)
+            tools::measure_views(mesh, drawer.get(), call.part(0.0, 0.1), find);
+        else
             find({});
-        } else if (drawer) {
-            drawer->measure(mesh, call, find);
-        } else {  // Without a device.
-            const RayRatios rays(mesh.octree(call), {}, {call.stop, {}});
-            find([&](std::span<const glm::dvec3> eyes) { return rays.measure(eyes, call.stop); });
-        }
         return found;
     });
     py::list views;

@@ -274,7 +274,8 @@ void bind_change_set(py::module_& module) {
             "N uint32: edges that left it.")
         .def_property_readonly(
             "slots", [](const py::object& s) { return view_of(s, &ChangeSet::slots); },
-            "N x 2 uint32: slot and edge of each slot that changed.")
+            "N x 2 uint32: slot and edge of each slot that changed. Slots are less than "
+            "len(mesh.edges).")
         .def_property_readonly(
             "words", [](const py::object& s) { return view_of(s, &ChangeSet::words); },
             "N x 2 uint32: word and bits of each word of face bits that changed; face f is bit "
@@ -325,7 +326,9 @@ void bind_tracker(py::module_& module) {
             [](const PythonTracker& t) {
                 return copied<std::uint32_t>(std::span<const EdgeId>(t.silhouette()));
             },
-            "N uint32: the edges of the silhouette, as rows of Mesh.edges, in the order of slots.")
+            "N uint32: the edges of the silhouette, as rows of Mesh.edges, in the order of slots. "
+            "It is the beginning of the array that ChangeSet.slots needs, which has "
+            "len(mesh.edges).")
         .def_property_readonly(
             "edges", [](const PythonTracker& t) { return edge_vertices(t.mesh(), t.silhouette()); },
             "N x 2 uint32: the same as vertices.")
@@ -356,7 +359,8 @@ void bind_tracker(py::module_& module) {
                 return array_over<std::uint32_t>(slots.data(),
                                                  {static_cast<py::ssize_t>(slots.size())}, self);
             },
-            "N uint32: the edges of the silhouette.")
+            "N uint32: the edges of the silhouette. They are the beginning of the array that "
+            "ChangeSet.slots needs, which has len(mesh.edges).")
         .def_property_readonly(
             "words",
             [](const py::object& self) {

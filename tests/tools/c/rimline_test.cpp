@@ -403,6 +403,18 @@ TEST_CASE("the progress function sees shares that grow, and ends calls") {
     REQUIRE(rimline_mesh_load("shape:knot:100000", &call, &mesh, nullptr) == RIMLINE_OK);
     CHECK(std::ranges::is_sorted(seen.shares));
     CHECK_FALSE(seen.shares.empty());
+    // No step before the last one reports that all is done.
+    seen.shares.clear();
+    rimline_drawer* drawer = nullptr;
+    REQUIRE(rimline_drawer_create(mesh, nullptr, &drawer, nullptr) == RIMLINE_OK);
+    const rimline_option chosen{"eye", "auto"};
+    rimline_drawing* drawing = nullptr;
+    REQUIRE(rimline_drawer_draw(drawer, &chosen, 1, &call, &drawing, nullptr) == RIMLINE_OK);
+    CHECK(std::ranges::is_sorted(seen.shares));
+    CHECK(std::ranges::count_if(seen.shares, [](double share) { return share > 0.96; }) == 1);
+    CHECK(seen.shares.back() == 1.0);
+    rimline_drawing_free(drawing);
+    rimline_drawer_free(drawer);
     seen = {.shares = {}, .end_after = 1};
     rimline_tracker* tracker = nullptr;
     CHECK(failing([&](auto e) {

@@ -1,6 +1,8 @@
 """Line drawings and pictures: the same bytes as the program's, and wrong keywords."""
 
 import os
+import pathlib
+import re
 import subprocess
 import sys
 import threading
@@ -299,7 +301,28 @@ assert texts() == before
     assert result.returncode == 0, result.stderr
 
 
+def test_options_of_the_command_are_keywords_or_named_as_its_own():
+    text = (pathlib.Path(__file__).resolve().parents[3] / "docs/python.md").read_text()
+    box = rimline.load("shape:box")
+    for name, call in (("render", rimline.Scene), ("draw", rimline.draw)):
+        own = set(re.findall(r"`(\w+)`", re.search(rf"^- of `rimline {name}`, (.*?)[;.]$", text, re.M | re.S)[1]))
+        shown = subprocess.run([PROGRAM, name, "--help"], capture_output=True, text=True).stdout
+        groups = re.split(r"^(\w+):$", shown, flags=re.M)[1:]
+        options = [(option.replace("-", "_"), group) for group, lines in zip(groups[::2], groups[1::2])
+                   for option in re.findall(r"^ +--([a-z-]+)", lines, re.M)]
+        assert own <= {option for option, _ in options}
+        # The others are of files and machines.
+        for option, group in options:
+            if group not in ("Style", "Camera", "Light", "Image", "Page", "Lines"):
+                continue
+            with pytest.raises((TypeError, ValueError)) as caught:
+                call(box, **{option: object()})
+            assert ("unexpected" in str(caught.value)) == (option in own), option
+            assert call is rimline.draw or option in own or option in rimline.Scene.__doc__, option
+
+
 def test_progress_of_a_picture_leaves_time_for_the_device():
+    have_device()
     shares = []
     rimline.render(rimline.load("shape:knot:20000"), size=(64, 64), progress=shares.append)
     assert shares == sorted(shares) and shares[-1] == 1.0 and shares[-2] < 0.7

@@ -136,7 +136,7 @@ class Picture(np.ndarray):  # type: ignore[type-arg]
 
 
 class Scene:
-    """A mesh, and how to draw it. The keywords are the options of `rimline render`, with _ for -::
+    """A mesh, and how to draw it. The keywords are options of `rimline render`, with _ for -::
 
         Camera   eye (a point, or auto, front, back, left, right, top, bottom, three-quarter), azimuth, elevation,
                  target, up, fov, ortho
@@ -144,7 +144,8 @@ class Scene:
                  crease, intersections, min_length, hidden, silhouette_from (a point), silhouette_direction (towards
                  the viewer), shadows, ground, ground_up
         Lights   light (a point, or several), sun (a direction, several, or auto), lighting
-        Image    size (width and height), background (a color, or 'none'; None: a color of the style)
+        Image    size (width and height), background (a color, or 'none'; None: a color of the style), seed (of all
+                 random numbers, 0 to 2^32 - 1)
 
     A color is a name, '#rrggbb', or three numbers from 0 to 1. What is not given is chosen for the mesh.
     """
