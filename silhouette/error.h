@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <stop_token>
 #include <string>
+#include <system_error>
 
 namespace rimline {
 
@@ -30,6 +31,24 @@ public:
 
 private:
     ErrorCode code_;
+};
+
+/// An Error{io} about one file or folder.
+class FileError : public Error {
+public:
+    /// The message is "path: problem". `number` is the system's error (errno), or 0 if there is none.
+    FileError(const std::string& path, const std::string& problem, int number = 0)
+        : Error(ErrorCode::io, path + ": " + problem), path_(path), number_(number) {}
+    /// The message ends with what the system calls its error: "path: problem: No such file or directory".
+    static FileError of_system(const std::string& path, const std::string& problem, int number) {
+        return {path, problem + ": " + std::generic_category().message(number), number};
+    }
+    const std::string& path() const noexcept { return path_; }
+    int number() const noexcept { return number_; }
+
+private:
+    std::string path_;
+    int number_;
 };
 
 /// Progress and cancellation of a long call. Both members may be empty.

@@ -26,7 +26,7 @@ private:
 
     const Mesh* mesh_;
     std::uint32_t shift_;
-    std::vector<std::uint32_t> begins_;    // Bucket b: order_[begins_[b] .. begins_[b + 1]).
+    std::vector<std::uint32_t> begins_;    // Bucket b: vertices_[begins_[b] .. begins_[b + 1]).
     std::vector<std::uint32_t> vertices_;  // By bucket.
 };
 

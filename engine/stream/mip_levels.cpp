@@ -29,7 +29,7 @@ struct SrgbTables {
 };
 
 // The pixels of a row or column of `from` pixels that pixel `i` of `to` covers, with their shares of it: at most
-// three, because `from` is less than three times `to`.
+// three, because `from` is at most three times `to`.
 struct Covered {
     std::uint32_t first = 0;
     std::uint32_t count = 0;

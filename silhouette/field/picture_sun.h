@@ -125,7 +125,7 @@ std::optional<PictureSun> choose_picture_sun(const SunSurvey& survey, const Pict
 
 /// One direction for each frame, of length 1. Between two key cameras the sun turns by at most twice the angle
 /// by which the camera turns, or by one step of the candidates where that is more. If the camera ends about
-/// where it began, so does the sun. Empty if no ray meets the mesh in the first frame. 48 key cameras at most,
+/// where it began, so does the sun. Where nothing is seen, any sun will do. 48 key cameras at most,
 /// each with a third of the places of choose_picture_sun(), and with all candidates. Throws Error{cancelled}.
 std::vector<glm::dvec3> choose_moving_sun(const SunSurvey& survey,
                                           std::span<const PictureFrame> frames,

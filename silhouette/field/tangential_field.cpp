@@ -51,10 +51,9 @@ double TangentialField::value(const glm::dvec3& point) const {
 }
 
 double TangentialField::value(const glm::dvec3& point, Work& work) const {
-    double result = 0.0;
     kernels::FieldScratch scratch = sums_->make_scratch();
     kernels::FieldWork visited;
-    result = value_with(scratch, point, visited);
+    const double result = value_with(scratch, point, visited);
     work.clusters += visited.clusters;
     work.planes += visited.planes;
     return result;

@@ -26,8 +26,7 @@ HoughBoxes::HoughBoxes(const HoughOctree& octree, std::size_t origin) {
     origin_ = octree.origins()[origin];
     std::uint32_t first_block = 0;
     for (std::size_t i = 0; i < origin; ++i) first_block += block_count_of(faces[i]);
-    std::vector<HoughBox>& blocks =
-        levels_.emplace_back(octree.block_count() > 0 ? block_count_of(faces[origin]) : 0);
+    std::vector<HoughBox>& blocks = levels_.emplace_back(block_count_of(faces[origin]));
     for (std::uint32_t block = 0; block < blocks.size(); ++block)
         for (std::uint32_t lane = 0; lane < k_block_size; ++lane) {
             const std::uint32_t position = (first_block + block) * k_block_size + lane;

@@ -172,8 +172,7 @@ private:
         return blocks;
     }
 
-    // Whether an edge is SFO from the origin, so that boxes cannot find it; none where its planes do not
-    // decide.
+    // Whether an edge is SFO from the origin; none where its planes do not decide.
     std::optional<bool> is_sfo(EdgeId edge, std::size_t group) const {
         const std::array<FaceId, 2>& faces = mesh_.edge(edge).faces;
         const int a = hough_point_of(faces[0], group).side;
@@ -185,7 +184,7 @@ private:
         return index(edge) >= mesh_.edges_of_class(EdgeClass::inconsistent).first;
     }
 
-    enum Always : std::uint32_t { k_sfo = 0xfffffffeu, k_undecided = 0xffffffffu };
+    enum NoOwner : std::uint32_t { k_sfo = 0xfffffffeu, k_undecided = 0xffffffffu };
 
     // The group that tests an edge: the first from which it is not SFO, of the groups of its faces, then of
     // all.

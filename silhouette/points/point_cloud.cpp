@@ -34,7 +34,7 @@ glm::vec3 unit_or_zero(const glm::vec3& v) {
 PointCloud::PointCloud(PointSource source) : up_(source.up), is_up_known_(source.is_up_known) {
     const std::size_t count = source.positions.size();
     if (count > 0xfffffff0u)
-        throw Error(ErrorCode::too_large, "the cloud has more than 2^32 points");
+        throw Error(ErrorCode::too_large, "the cloud has 2^32 - 16 points or more");
     RIMLINE_CHECK(source.normals.empty() || source.normals.size() == count);
     RIMLINE_CHECK(source.colors.empty() || source.colors.size() == count);
     RIMLINE_CHECK(source.intensities.empty() || source.intensities.size() == count);

@@ -21,7 +21,7 @@ class PointCloud {
 public:
     /// An empty source gives an empty cloud. The indices of triangles must be in range. There must be one
     /// normal, color and intensity for each position, or none. Finite positions must lie within
-    /// k_max_coordinate. Throws Error{too_large} from 2^32 positions on. O(positions + triangles).
+    /// k_max_coordinate. Throws Error{too_large} from 2^32 - 16 positions on. O(positions + triangles).
     explicit PointCloud(PointSource source);
 
     std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(positions_.size()); }

@@ -3,7 +3,6 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
@@ -18,16 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 9> k_model_endings{".obj", ".ply",  ".stl", ".off", ".glb",
-                                                          ".xyz", ".gltf", ".pts", ".csv"};
-
 constexpr std::string_view k_byte_order_mark = "\xef\xbb\xbf";
-
-bool is_model_file(const fs::path& path) {
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-    return std::ranges::find(k_model_endings, ending) != k_model_endings.end();
-}
 
 class InputFinder {
 public:
@@ -100,7 +90,7 @@ private:
                 call_.checkpoint(0.0);
                 if (entry->is_directory(unreadable))
                     (entry->is_symlink(unreadable) ? links : folders).push_back(entry->path());
-                else if (is_model_file(entry->path()) &&
+                else if (is_model_file_name(entry->path()) &&
                          (entry->is_regular_file(unreadable) || !entry->exists(unreadable)))
                     files.push_back(entry->path());
             }

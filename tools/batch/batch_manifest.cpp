@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <chrono>
 #include <nlohmann/json.hpp>
-#include <system_error>
 #include <thread>
 
 namespace rimline::tools {
@@ -18,8 +17,7 @@ namespace {
 constexpr std::chrono::milliseconds k_lock_poll{50};
 
 [[noreturn]] void fail_manifest(const std::filesystem::path& path, const char* what) {
-    throw Error(ErrorCode::io,
-                path.string() + ": cannot " + what + ": " + std::generic_category().message(errno));
+    throw FileError::of_system(path.string(), std::string("cannot ") + what, errno);
 }
 
 }  // namespace

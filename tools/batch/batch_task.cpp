@@ -20,6 +20,11 @@ constexpr std::array<std::string_view, 4> k_output_options{"-o", "--output", "--
 
 constexpr std::array<std::string_view, 4> k_batch_places{"{stem}", "{name}", "{path}", "{out}"};
 
+void sort_unique(std::vector<std::string>& names) {
+    std::ranges::sort(names);
+    names.erase(std::ranges::unique(names).begin(), names.end());
+}
+
 // The text with each place in it filled, from left to right: what is filled in is not looked at again.
 std::string filled(const std::string& text, const std::array<std::string, 4>& values) {
     std::string result;
@@ -98,16 +103,21 @@ std::vector<std::string> BatchTask::found_outputs() const {
         std::error_code error;
         if (!fs::exists(output, error)) continue;
         if (!fs::is_directory(output, error)) {
-            files.push_back(printable_text(output));
+            files.push_back(output);
             continue;
         }
         for (const fs::directory_entry& entry : fs::directory_iterator(output, error))
-            if (entry.is_regular_file(error))
-                files.push_back(printable_text(entry.path().string()));
+            if (entry.is_regular_file(error)) files.push_back(entry.path().string());
     }
-    std::ranges::sort(files);
-    files.erase(std::ranges::unique(files).begin(), files.end());
+    sort_unique(files);
     return files;
+}
+
+std::vector<std::string> BatchTask::named_outputs() const {
+    std::vector<std::string> names = found_outputs();
+    for (std::string& name : names) name = printable_text(name);
+    sort_unique(names);
+    return names;
 }
 
 }  // namespace rimline::tools

@@ -17,9 +17,10 @@ struct BatchTask {
     /// The files and folders that the subcommand is asked to write: values of -o, --save-scene and --export.
     std::vector<std::string> outputs;
 
-    /// The files that are there, as the manifest names them, ascending: the outputs, and those in an output that is
-    /// a folder.
+    /// The files that are there, ascending: the outputs, and those in an output that is a folder.
     std::vector<std::string> found_outputs() const;
+    /// The same as the manifest names them: printable, ascending.
+    std::vector<std::string> named_outputs() const;
 };
 
 /// A word in braces in `text` that stands for nothing, with its braces. Empty if there is none.

@@ -1,7 +1,6 @@
 #include "tools/bench/engine_growth.h"
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <numbers>
 
@@ -19,14 +18,8 @@ namespace rimline::tools {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr std::uint32_t k_growth_side_px = 1024;
 constexpr std::uint32_t k_frames_before = 2;
-
-double ms_since(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 struct Samples {
     std::vector<double> wall_ms, device_ms;
@@ -76,9 +69,9 @@ EngineGrowthStep measure(const Mesh& mesh, const Device& device, std::uint32_t f
         context.checkpoint();
         const bool counts = frame > k_frames_before;
         const HomogeneousPoint point = orbit.viewpoint(angle(frame));
-        const Clock::time_point start = Clock::now();
+        const Stopwatch watch;
         const ChangeSet& changes = tracker.move_to(point);
-        const double move_ms = ms_since(start);
+        const double move_ms = watch.ms();
         stream.begin_frame(0);
         if (!stream.apply(changes))
             stream.resend(tracker.sequence(), tracker.silhouette(), tracker.face_words());
@@ -87,7 +80,7 @@ EngineGrowthStep measure(const Mesh& mesh, const Device& device, std::uint32_t f
             stream.record(commands, scatter);
             ChangeStream::record_after(commands);
         });
-        times.wall_ms = ms_since(start);
+        times.wall_ms = watch.ms();
         const SilhouetteRun run{&silhouette, point};
         const CommandTimes compute_times =
             timer.run([&](Commands commands) { compute.record(commands, std::span(&run, 1)); });
@@ -103,9 +96,9 @@ EngineGrowthStep measure(const Mesh& mesh, const Device& device, std::uint32_t f
             .eye = orbit.position(angle(frame)), .target = mesh.center(), .fov_y_deg = 65.0};
         scene.shadows = false;
         for (std::size_t r = 0; r < renderers.size(); ++r) {
-            const Clock::time_point frame_start = Clock::now();
+            const Stopwatch of_frame;
             renderers[r]->render(scene, k_growth_side_px, k_growth_side_px);
-            if (counts) frames_ms[r].push_back(ms_since(frame_start));
+            if (counts) frames_ms[r].push_back(of_frame.ms());
         }
     }
     GpuSilhouetteCounts found;

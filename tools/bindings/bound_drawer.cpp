@@ -67,26 +67,10 @@ std::unique_ptr<BoundDrawing> BoundDrawer::draw(const DrawOptions& options, bool
     const LongCall drawn = call.part(0.3, 0.95);
     auto result = std::make_unique<BoundDrawing>(
         BoundDrawing{.drawing = draw_lines(camera.view, line_options, follows, drawn),
-                     .page = {.title = "Lines of " + mesh_->name(),
-                              .size_mm = page.size_mm,
-                              .lines = {},
-                              .width_mm = lines.width_mm,
-                              .hidden_width_mm = lines.hidden_width_mm,
-                              .dashes_hidden = lines.hidden == "dashed",
-                              .has_sources = false,
-                              .color = lines.color.value_or(Color{0, 0, 0})},
+                     .page = empty_drawing(lines, "Lines of " + mesh_->name(), page.size_mm),
                      .place = place});
-    PageLineOptions page_options{
-        .min_length_mm = lines.min_length_mm.value_or(DrawnLines::k_min_hidden_mm),
-        .double_mm = lines.double_mm(),
-        .visible_double_mm = lines.visible_double_mm(),
-        .min_visible_mm = lines.min_length_mm.value_or(0.0),
-        .curve_mm = lines.curve_mm,
-        .page_mm = page.size_mm,
-        .frame = {}};
-    if (lines.hidden_by > 0) page_options.hidden_by = lines.hidden_by;
-    if (part.is_cut) page_options.frame = {part.low, part.high};
-    add_page_lines(result->drawing, place, page_options, result->page.lines);
+    add_page_lines(result->drawing, place, page_line_options(lines, part, page.size_mm),
+                   result->page.lines);
     call.checkpoint(1.0);
     if (!lines.draws_hidden())
         std::erase_if(result->page.lines, [](const PageLine& line) { return line.is_hidden; });

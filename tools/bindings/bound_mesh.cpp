@@ -35,15 +35,20 @@ glm::dvec3 long_direction(const glm::dvec3& direction) {
 }
 
 SharedMesh load_bound_mesh(const std::string& model, std::uint32_t subdivide, bool reads_textures,
-                           std::vector<std::string>& warnings, const LongCall& call) {
+                           const char* advice_for_clouds, std::vector<std::string>& warnings,
+                           const LongCall& call) {
     // Reading, textures and subdividing, each of which may take nearly all of the time.
     int steps = 0;
     const auto begin = [&](const std::string&) {
         const double from = 0.2 * std::min(steps++, 2);
         return call.part(from, from + 0.2);
     };
-    MeshSource source = load_model(model, subdivide, FaceRequirement::faces, begin,
+    MeshSource source = load_model(model, subdivide, FaceRequirement::faces_or_points, begin,
                                    reads_textures ? TexturePictures::read : TexturePictures::skip);
+    if (source.triangles.empty())
+        throw Error(ErrorCode::bad_input, model + ": no faces: it is a cloud of " +
+                                              std::to_string(source.positions.size()) + " points" +
+                                              advice_for_clouds);
     warnings.insert(warnings.end(), source.warnings.begin(), source.warnings.end());
     return about_model(model, [&] {
         return std::make_shared<BoundMesh>(model, std::move(source), Welding::equal_positions,

@@ -78,8 +78,10 @@ private:
 /// The same direction, with a length at which no component counts as zero beside another (k_min_point_component).
 glm::dvec3 long_direction(const glm::dvec3& direction);
 
-/// A file or built-in shape (model_argument.h), which must have faces. Adds to `warnings`. Throws Error naming it.
+/// A file or built-in shape (model_argument.h), which must have faces. Adds to `warnings`. Throws Error naming it. The
+/// message about a file of points ends with `advice_for_clouds`.
 SharedMesh load_bound_mesh(const std::string& model, std::uint32_t subdivide, bool reads_textures,
-                           std::vector<std::string>& warnings, const LongCall& call);
+                           const char* advice_for_clouds, std::vector<std::string>& warnings,
+                           const LongCall& call);
 
 }  // namespace rimline::tools

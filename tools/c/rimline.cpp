@@ -253,7 +253,8 @@ rimline_status rimline_mesh_load(const char* path, const rimline_call* call, rim
         const CallersCall long_call(call);
         std::vector<std::string> warnings;
         try {
-            auto shared = rimline::tools::load_bound_mesh(name, 0, true, warnings, long_call.get());
+            auto shared =
+                rimline::tools::load_bound_mesh(name, 0, true, "", warnings, long_call.get());
             *mesh = new rimline_mesh{std::move(shared), std::move(warnings)};
         } catch (const CLI::ValidationError& failure) {  // A shape that does not exist.
             const std::string message = failure.what();

@@ -89,7 +89,7 @@ def main():
     try:
         with Client(options.scheduler) as client:
             return run_batch(client, options.shards, arguments, options.program, options.retries)
-    except (FileNotFoundError, OSError, TimeoutError) as error:
+    except OSError as error:
         print(f"dask_batch.py: {error}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:

@@ -47,12 +47,7 @@ struct Totals {
     double max_us = 0.0, max_frame_ms = 0.0;
 
     void add(const FrameReport& frame) {
-        changes.edges += frame.camera.edges;
-        changes.flips += frame.camera.flips;
-        changes.added += frame.camera.added;
-        changes.removed += frame.camera.removed;
-        changes.counters += frame.camera.counters;
-        changes.update_us += frame.camera.update_us;
+        changes += frame.camera;
         shadow_edges += frame.shadow_edges;
         bytes_streamed += frame.bytes_streamed;
         bytes_full += frame.bytes_full;

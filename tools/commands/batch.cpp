@@ -179,7 +179,8 @@ private:
         return count > 0 ? ms / double(count) : 0.0;
     }
 
-    // The outputs are looked for, models are not read: the next batch finds those that changed.
+    // The outputs are looked for, and models are read only where shards differ about them: the next batch finds those
+    // that changed.
     ExitStatus merge(const std::vector<BatchTask>& tasks, BatchManifest& manifest,
                      const Context& context) {
         {
@@ -287,7 +288,7 @@ private:
     }
 
     static bool has_outputs(const BatchTask& task, const BatchEntry& entry) {
-        const std::vector<std::string> found = task.found_outputs();
+        const std::vector<std::string> found = task.named_outputs();
         return std::ranges::all_of(entry.outputs, [&](const std::string& output) {
             return std::ranges::find(found, output) != found.end();
         });
@@ -410,7 +411,7 @@ private:
             {"command", task.command},
             {"status", end.status},
             {"ms", end.ms},
-            {"outputs", is_ok ? task.found_outputs() : std::vector<std::string>()},
+            {"outputs", is_ok ? task.named_outputs() : std::vector<std::string>()},
             {"error", nullptr},
             {"result", nullptr}};
         if (!is_ok) entry["error"] = words_of(end.error);
@@ -443,8 +444,10 @@ private:
         for (const BatchTask& task : tasks) {
             const BatchEntry* entry = manifest.find(task.key);
             if (entry == nullptr) continue;
-            items.push_back({task.input.model, entry->outputs,
-                             entry->status == "ok" ? "" : entry->status + ": " + entry->error});
+            const bool is_ok = entry->status == "ok";
+            items.push_back({task.input.model,
+                             is_ok ? task.found_outputs() : std::vector<std::string>(),
+                             is_ok ? "" : entry->status + ": " + entry->error});
         }
         file.write(batch_page(items, fs::absolute(page_).parent_path()));
         file.commit();

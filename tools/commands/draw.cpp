@@ -3,7 +3,6 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <glm/common.hpp>
 #include <nlohmann/json.hpp>
@@ -31,16 +30,11 @@
 #include "tools/output/output_file.h"
 #include "tools/output/page_lines.h"
 #include "tools/progress.h"
+#include "tools/timing.h"
 
 namespace rimline::tools {
 
 namespace {
-
-using DrawClock = std::chrono::steady_clock;
-
-double milliseconds_since(DrawClock::time_point start) {
-    return std::chrono::duration<double, std::milli>(DrawClock::now() - start).count();
-}
 
 // --verify takes a sample every so many mm on the page: a quarter of a pixel of a screen.
 constexpr double k_verify_spacing_mm = 0.066;
@@ -254,22 +248,16 @@ private:
                            const std::vector<ShownPart>& parts, const DrawingPage& page,
                            DrawingFormat format, DrawnTotals& totals,
                            nlohmann::ordered_json& views) const {
-        auto start = DrawClock::now();
+        Stopwatch watch;
         const LineSurface surface = [&] {
             Progress progress(context, "finding contacts of faces");
             return LineSurface(mesh, LineSurface::Contacts::found, progress.call());
         }();
-        totals.surface_ms = milliseconds_since(start);
+        totals.surface_ms = watch.ms();
         context.times.end("contacts");
 
-        PageDrawing drawing{.title = "Lines of " + model_.model,
-                            .size_mm = page.size_mm,
-                            .lines = {},
-                            .width_mm = lines_.width_mm,
-                            .hidden_width_mm = lines_.hidden_width_mm,
-                            .dashes_hidden = lines_.hidden == "dashed",
-                            .has_sources = has_sources_,
-                            .color = lines_.color.value_or(Color{0, 0, 0})};
+        PageDrawing drawing = empty_drawing(lines_, "Lines of " + model_.model, page.size_mm);
+        drawing.has_sources = has_sources_;
         std::optional<LineMaterials> materials;
         if (lines_.has_material_colors) {
             materials.emplace(mesh);
@@ -283,10 +271,10 @@ private:
         LineDrawer drawer(surface);
         for (std::size_t i = 0; i < cameras.size(); ++i) {
             const LineCamera& camera = cameras[i];
-            start = DrawClock::now();
+            watch = Stopwatch();
             const std::vector<EdgeId> silhouette =
                 brute_force_silhouette(mesh, camera.view.point());
-            totals.silhouette_ms += milliseconds_since(start);
+            totals.silhouette_ms += watch.ms();
             context.checkpoint();
 
             const bool has_edges = has_sources_ && format == DrawingFormat::svg;
@@ -300,28 +288,20 @@ private:
             if (has_edges || materials) options.simplify = 0.0;
             if (verifies_) verify(context, mesh, camera, silhouette, page.views[i], drawer, totals);
             Progress progress(context, "drawing lines");
-            start = DrawClock::now();
+            watch = Stopwatch();
             const LineDrawing& lines =
                 drawer.draw(camera.view, silhouette, options, progress.call());
-            totals.ms += milliseconds_since(start);
+            totals.ms += watch.ms();
             totals.add(lines);
 
-            PageLineOptions page_options{
-                .min_length_mm = lines_.min_length_mm.value_or(DrawnLines::k_min_hidden_mm),
-                .simplify_mm = has_edges || materials ? lines_.simplify_mm : 0.0,
-                .double_mm = lines_.double_mm(),
-                // A JSON file has the strokes of the drawing, which are counted.
-                .visible_double_mm =
-                    format == DrawingFormat::json ? 0.0 : lines_.visible_double_mm(),
-                .min_visible_mm = lines_.min_length_mm.value_or(0.0),
-                .curve_mm = has_curves(format) ? lines_.curve_mm : 0.0,
-                .page_mm = page.size_mm,
-                .frame = {},
-                .mesh = has_edges ? &mesh : nullptr,
-                .materials = materials ? &*materials : nullptr,
-                .point = camera.view.point()};
-            if (lines_.hidden_by > 0) page_options.hidden_by = lines_.hidden_by;
-            if (parts[i].is_cut) page_options.frame = {parts[i].low, parts[i].high};
+            PageLineOptions page_options = page_line_options(lines_, parts[i], page.size_mm);
+            if (has_edges || materials) page_options.simplify_mm = lines_.simplify_mm;
+            if (!has_curves(format)) page_options.curve_mm = 0.0;
+            // A JSON file has the strokes of the drawing, which are counted.
+            if (format == DrawingFormat::json) page_options.visible_double_mm = 0.0;
+            if (has_edges) page_options.mesh = &mesh;
+            if (materials) page_options.materials = &*materials;
+            page_options.point = camera.view.point();
             add_page_lines(lines, page.views[i], page_options, drawing.lines);
             if (format == DrawingFormat::json) {
                 nlohmann::ordered_json view = camera_json(camera);

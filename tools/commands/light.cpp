@@ -1,7 +1,6 @@
 // rimline light: the directional light that shows a view best.
 
 #include <CLI/App.hpp>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
@@ -18,6 +17,7 @@
 #include "tools/options/view_camera.h"
 #include "tools/output/json_vector.h"
 #include "tools/progress.h"
+#include "tools/timing.h"
 
 namespace rimline::tools {
 
@@ -67,11 +67,6 @@ public:
     }
 
 private:
-    using Clock = std::chrono::steady_clock;
-
-    static double ms_since(Clock::time_point start) {
-        return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    }
     [[noreturn]] void fail_unseen() const {
         throw Error(ErrorCode::bad_input,
                     model_.model + (by_votes_ ? ": no face turns a side towards --eye: move it"
@@ -103,14 +98,14 @@ private:
     void print_toned(const Mesh& mesh, const Context& context) {
         check_has_planes(model_.model, mesh);
         const PictureFrame seen = frame(mesh);
-        const Clock::time_point start = Clock::now();
+        const Stopwatch watch;
         Progress progress(context, "choosing a light");
         const LongCall call = progress.call();
         const std::optional<PictureSun> sun = about_model(model_.model, [&] {
             return choose_picture_sun(SunSurvey(mesh, k_shading_crease_rad, call.part(0.0, 0.5)),
                                       seen, {.up = glm::dvec3(*up_)}, call.part(0.5, 1.0));
         });
-        const double ms = ms_since(start);
+        const double ms = watch.ms();
         context.times.end("choosing the light");
         if (!sun) fail_unseen();
         const glm::dvec3 direction = rounded_to_float(sun->direction);
@@ -140,11 +135,11 @@ private:
 
     void print_voted(const Mesh& mesh, const Context& context) const {
         check_has_planes(model_.model, mesh);
-        const Clock::time_point start = Clock::now();
+        const Stopwatch watch;
         Progress progress(context, "choosing a light");
         const std::optional<ChosenSun> sun = about_model(
             model_.model, [&] { return choose_sun(mesh, glm::dvec3(*eye_), progress.call()); });
-        const double ms = ms_since(start);
+        const double ms = watch.ms();
         context.times.end("choosing the light");
         if (!sun) fail_unseen();
         if (context.json) {

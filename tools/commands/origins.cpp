@@ -3,7 +3,6 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <glm/vec3.hpp>
@@ -27,12 +26,11 @@
 #include "tools/output/json_vector.h"
 #include "tools/output/output_file.h"
 #include "tools/progress.h"
+#include "tools/timing.h"
 
 namespace rimline::tools {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 nlohmann::ordered_json to_json(const OriginTrial& trial) {
     const HoughOctreeStatistics& s = trial.statistics;
@@ -68,11 +66,11 @@ std::vector<double> time_extractions(const Mesh& mesh, std::span<const glm::dvec
             call.checkpoint(double(round) / k_rounds);
             BlockScratch scratch = octrees[i].make_scratch();
             TraversalCounters counters;
-            const auto start = Clock::now();
+            const Stopwatch watch;
             for (const HomogeneousPoint& point : points)
                 octrees[i].extract(point, edges, counters, scratch);
-            const std::chrono::duration<double, std::micro> took = Clock::now() - start;
-            min_us[i] = std::min(min_us[i], took.count() / viewpoints);
+            const double took_us = watch.us();
+            min_us[i] = std::min(min_us[i], took_us / viewpoints);
         }
     return min_us;
 }
@@ -134,7 +132,7 @@ private:
     ExitStatus run(const Mesh& mesh, std::optional<OutputFile>& file, const Context& context) {
         OriginOptions options;
         options.alpha = alpha_;
-        const auto start = Clock::now();
+        const Stopwatch watch;
         ChosenOrigins chosen;
         std::vector<glm::dvec3> tried;
         double search_ms = 0.0;
@@ -143,10 +141,10 @@ private:
             const LongCall call = progress.call();
             if (count_option_->count() > 0) {
                 chosen.found = find_origins(mesh, count_, options, call);
-                search_ms = milliseconds_since(start);
+                search_ms = watch.ms();
             } else {
                 chosen = choose_origins(mesh, max_, viewpoints_, options, call);
-                search_ms = milliseconds_since(start);
+                search_ms = watch.ms();
                 tried = chosen.found.origins;
                 chosen.found.origins.resize(chosen.best);
                 chosen.found.votes.resize(chosen.best);
@@ -156,6 +154,7 @@ private:
             chosen.trials.empty()
                 ? try_origins(mesh, chosen.found.origins, viewpoints_, {context.stop, {}})
                 : chosen.trials[chosen.best];
+        context.times.end("choosing origins");
         if (file) {
             const HoughOctree octree(mesh, {chosen.found.origins});
             if (is_up_auto_) settle_up(mesh, up_, true, context.stop);
@@ -165,12 +164,16 @@ private:
                 direction_ ? glm::dvec3(*direction_)
                            : (is_z_up ? glm::dvec3(0.9, -0.7, 0.4) : glm::dvec3(0.9, 0.4, 0.7));
             write_picture(*file, draw_groups(octree, towards, up, 700));
+            context.times.end("drawing");
         }
         // One a trial, or of the requested origins.
         const LiteralTrials literal = count_literal(mesh, chosen, tried, context);
+        if (literal_) context.times.end("counting the thesis's boxes");
         std::vector<double> times_us;
-        if (time_) times_us = time_extractions(mesh, tried, chosen.trials, viewpoints_, context);
-        context.times.end("choosing origins");
+        if (time_) {
+            times_us = time_extractions(mesh, tried, chosen.trials, viewpoints_, context);
+            context.times.end("timing extractions");
+        }
         report(mesh, chosen, trial, literal, times_us, search_ms, context);
         return ExitStatus::success;
     }
@@ -196,10 +199,6 @@ private:
         std::array<char, 40> text{};
         std::snprintf(text.data(), text.size(), "%.1f%% of the votes", 100.0 * votes);
         return text.data();
-    }
-
-    static double milliseconds_since(Clock::time_point start) {
-        return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     }
 
     void report(const Mesh& mesh, const ChosenOrigins& chosen, const OriginTrial& trial,

@@ -1,7 +1,6 @@
 // rimline points: borders, features and silhouettes of a point cloud.
 
 #include <CLI/App.hpp>
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,16 +23,11 @@
 #include "tools/output/output_file.h"
 #include "tools/output/points_picture.h"
 #include "tools/progress.h"
+#include "tools/timing.h"
 
 namespace rimline::tools {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double ms_since(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 class PointsCommand final : public Command {
 public:
@@ -185,21 +179,21 @@ private:
                           std::optional<OutputFile>& drawing) {
         PointCloud cloud = cloud_.load(context);
         const auto name_errors = [&](auto&& work) { return about_model(cloud_.model, work); };
-        Clock::time_point start = Clock::now();
+        Stopwatch watch;
         Progress surface_progress(context, "finding umbrellas of " + cloud_.model);
         PointSurface surface = name_errors(
             [&] { return PointSurface(cloud.positions(), options, surface_progress.call()); });
         CloudAnalysis analysis(std::move(cloud), std::move(surface));
-        analysis.umbrellas_ms = ms_since(start);
+        analysis.umbrellas_ms = watch.ms();
         if (options.method == PointSurfaceOptions::Method::thesis)
             analysis.method = "thesis";
         else
             analysis.hole_limit = hole_limit(analysis.surface, options.gap_ratio);
         context.times.end("umbrellas");
-        start = Clock::now();
+        watch = Stopwatch();
         Progress feature_progress(context, "weighing features of " + cloud_.model);
         analysis.weights = feature_weights(analysis.surface, feature_progress.call());
-        analysis.features_ms = ms_since(start);
+        analysis.features_ms = watch.ms();
         context.times.end("features");
         if (!output_.empty() || turn_frames_ > 0) {
             analysis.up = settle_up(analysis.cloud, context);
@@ -229,10 +223,10 @@ private:
 
     void analyze_silhouette(const Context& context, CloudAnalysis& analysis,
                             std::optional<OutputFile>& drawing) const {
-        Clock::time_point start = Clock::now();
+        Stopwatch watch;
         Progress progress(context, "indexing umbrellas of " + cloud_.model);
         const UmbrellaIndex umbrellas(analysis.surface, progress.call());
-        analysis.index_ms = ms_since(start);
+        analysis.index_ms = watch.ms();
         context.times.end("index");
         warn_of_far_points(analysis.surface, umbrellas);
         std::optional<HomogeneousPoint> point;
@@ -267,12 +261,12 @@ private:
         analysis.has_silhouette = has_silhouette();
         if (!has_silhouette()) return;
         if (!point) point = umbrellas.viewpoint(*eye_);
-        start = Clock::now();
+        watch = Stopwatch();
         const PointSilhouette silhouette(umbrellas, *point);
         analysis.silhouette = silhouette.points();
         analysis.consensus = silhouette.consensus_edges();
         analysis.arcs = chain(analysis.consensus).size();
-        analysis.silhouette_ms = ms_since(start);
+        analysis.silhouette_ms = watch.ms();
         context.times.end("silhouette");
     }
 

@@ -3,7 +3,6 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <glm/vec3.hpp>
 #include <memory>
@@ -27,6 +26,7 @@
 #include "tools/output/line_output.h"
 #include "tools/output/output_file.h"
 #include "tools/progress.h"
+#include "tools/timing.h"
 
 namespace rimline::tools {
 
@@ -44,10 +44,9 @@ Extraction extract_by(const SilhouetteMethodInfo& info, const Mesh& mesh,
                       const HomogeneousPoint& point, const SilhouetteMethodOptions& options) {
     const std::unique_ptr<SilhouetteMethod> method = make_method(info, mesh, options);
     Extraction result;
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     method->extract(point, result.edges, result.counters);
-    result.ms =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    result.ms = watch.ms();
     result.own_counts = method->own_counts();
     if (!info.exact) {
         const std::size_t all = brute_force_silhouette(mesh, point).size();

@@ -2,7 +2,6 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -22,18 +21,13 @@
 #include "tools/options/path_options.h"
 #include "tools/options/up_option.h"
 #include "tools/progress.h"
+#include "tools/timing.h"
 
 namespace rimline::tools {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr double k_orbit_radius = 2.0;  // In the model's radii. The help shows this value.
-
-double microseconds_since(Clock::time_point start) {
-    return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
-}
 
 struct Frame {
     std::uint64_t flips = 0, added = 0, removed = 0, silhouette = 0;
@@ -88,13 +82,13 @@ struct Track {
 Track follow(const std::string& model, const Mesh& mesh, const std::vector<glm::vec3>& origins,
              const std::vector<HomogeneousPoint>& points, bool verify, const Context& context) {
     Track track;
-    Clock::time_point start = Clock::now();
+    Stopwatch watch;
     const HoughOctree octree =
         build_octree(model, mesh, context, {{origins.begin(), origins.end()}});
-    track.build_ms = 1e-3 * microseconds_since(start);
-    start = Clock::now();
+    track.build_ms = watch.ms();
+    watch = Stopwatch();
     SilhouetteTracker tracker(octree, points.front());
-    track.extraction_us = microseconds_since(start);
+    track.extraction_us = watch.us();
 
     std::optional<FrameCheck> check;
     if (verify) check.emplace(tracker);
@@ -103,10 +97,9 @@ Track follow(const std::string& model, const Mesh& mesh, const std::vector<glm::
     const LongCall call = progress.call();
     for (std::size_t i = 0; i < points.size(); ++i) {
         call.checkpoint(static_cast<double>(i) / static_cast<double>(points.size()));
-        start = Clock::now();
+        watch = Stopwatch();
         const ChangeSet& change = tracker.move_to(points[i]);
-        const Frame frame =
-            frame_of(change, tracker.face_words().size(), microseconds_since(start));
+        const Frame frame = frame_of(change, tracker.face_words().size(), watch.us());
         track.frames.push_back(frame);
         track.totals += frame;
         track.max_us = std::max(track.max_us, frame.us);

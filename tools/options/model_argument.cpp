@@ -2,6 +2,7 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <glm/common.hpp>
 #include <new>
@@ -9,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "silhouette/mesh/formats/text_scanner.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "silhouette/mesh/shapes/loop_subdivision.h"
 #include "tools/input_files.h"
@@ -95,6 +97,14 @@ std::string model_description(StandardInput input) {
 }
 
 bool is_built_in_shape(const std::string& model) { return model.starts_with(k_shape_prefix); }
+
+bool is_model_file_name(const std::filesystem::path& path) {
+    constexpr std::array<std::string_view, 9> k_endings{".obj", ".ply", ".stl", ".off", ".gltf",
+                                                        ".glb", ".xyz", ".pts", ".csv"};
+    const std::string ending = path.extension().string();
+    return std::ranges::any_of(
+        k_endings, [&](std::string_view known) { return equals_ignoring_case(ending, known); });
+}
 
 void check_model_name(const std::string& text, const char* argument) {
     if (text.empty())

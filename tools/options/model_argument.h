@@ -3,6 +3,7 @@
 // The MODEL argument of every subcommand: a file, or shape:NAME[:FACES], refined by --subdivide.
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ std::string model_description(StandardInput input = StandardInput::read);
 
 /// Whether `model` begins with "shape:".
 bool is_built_in_shape(const std::string& model);
+/// Whether the name ends as those of meshes and point clouds do, in upper or lower case.
+bool is_model_file_name(const std::filesystem::path& path);
 
 /// Throws CLI::ValidationError if `text` is empty, or if it begins with "shape:" and names no built-in
 /// shape. Does not check whether a file exists.

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 
 #include "tools/options/picture_scene.h"
+#include "tools/options/style_names.h"
 
 namespace rimline::tools {
 
@@ -41,9 +42,6 @@ constexpr std::array<NamedPalette, 17> k_palettes{{
     {Style::hatch, "blue", rgb(0xf0f3f8), k_as_background, rgb(0x1b3a7d), rgb(0xacafb3)},
     {Style::hatch, "kraft", rgb(0xcdb08a), k_as_background, rgb(0x2b1a10), rgb(0x937d61)},
 }};
-
-constexpr std::array<Style, 4> k_styles{Style::ink, Style::toon, Style::blueprint, Style::hatch};
-constexpr std::array<std::string_view, 4> k_style_names{"ink", "toon", "blueprint", "hatch"};
 
 }  // namespace
 
@@ -85,11 +83,12 @@ std::string palette_names(Style style) {
 
 std::string all_palette_names() {
     std::string all;
-    for (std::size_t i = 0; i < k_styles.size(); ++i)
-        all.append(i > 0 ? "; " : "")
-            .append(k_style_names[i])
-            .append(": ")
-            .append(palette_names(k_styles[i]));
+    for (const Style style : k_styles)
+        if (!own_palette(style).empty())
+            all.append(all.empty() ? "" : "; ")
+                .append(style_name(style))
+                .append(": ")
+                .append(palette_names(style));
     return all;
 }
 

@@ -158,15 +158,13 @@ private:
 std::string read_text(const std::string& path) {
     std::error_code ignored;
     if (fs::is_directory(path, ignored))
-        throw Error(ErrorCode::io, path + ": is a folder; give a scene file");
+        throw FileError(path, "is a folder; give a scene file", EISDIR);
     errno = 0;
     std::ifstream file(path, std::ios::binary);
-    if (!file)
-        throw Error(ErrorCode::io,
-                    path + ": cannot open it: " + std::generic_category().message(errno));
+    if (!file) throw FileError::of_system(path, "cannot open it", errno);
     std::ostringstream text;
     text << file.rdbuf();
-    if (file.bad()) throw Error(ErrorCode::io, path + ": cannot read it");
+    if (file.bad()) throw FileError(path, "cannot read it");
     return text.str();
 }
 

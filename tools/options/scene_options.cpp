@@ -11,6 +11,7 @@
 #include "tools/nearest_name.h"
 #include "tools/options/option_types.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/style_names.h"
 
 namespace rimline::tools {
 
@@ -20,7 +21,7 @@ void SceneOptions::add_to(CLI::App& app) {
            "--style", style,
            "Drawing style; hatch: pen strokes, mask: white where light arrives, black elsewhere, "
            "no other value")
-        ->check(CLI::IsMember({"ink", "toon", "blueprint", "hatch", "mask"}))
+        ->check(CLI::IsMember(std::vector<std::string>(k_style_names.begin(), k_style_names.end())))
         ->capture_default_str()
         ->group(k_group);
     add_color(
@@ -100,12 +101,7 @@ LineStyle SceneOptions::line_style() const {
         .min_length = min_length};
 }
 
-Style SceneOptions::style_value() const {
-    if (style == "toon") return Style::toon;
-    if (style == "blueprint") return Style::blueprint;
-    if (style == "hatch") return Style::hatch;
-    return style == "mask" ? Style::mask : Style::ink;
-}
+Style SceneOptions::style_value() const { return style_named(style); }
 
 PictureFinish SceneOptions::finish(const PictureOptions& picture) const {
     const std::optional<Color>& under = picture.background;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <utility>
 
 namespace rimline::tools {
 
@@ -15,6 +16,17 @@ std::optional<DrawingFormat> drawing_format_of(const std::string& file_name) {
     if (ending == ".dxf") return DrawingFormat::dxf;
     if (ending == ".json") return DrawingFormat::json;
     return std::nullopt;
+}
+
+PageDrawing empty_drawing(const DrawnLines& drawn, std::string title, const glm::dvec2& size_mm) {
+    return {.title = std::move(title),
+            .size_mm = size_mm,
+            .lines = {},
+            .width_mm = drawn.width_mm,
+            .hidden_width_mm = drawn.hidden_width_mm,
+            .dashes_hidden = drawn.hidden == "dashed",
+            .has_sources = false,
+            .color = drawn.color.value_or(Color{0, 0, 0})};
 }
 
 void append_decimals(std::string& text, double value, int most_decimals) {

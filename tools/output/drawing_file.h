@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/options/drawn_lines.h"
 #include "tools/options/option_types.h"
 #include "tools/output/page_line.h"
 
@@ -46,6 +47,9 @@ struct PageDrawing {
         return color;
     }
 };
+
+/// Without lines yet, and without sources.
+PageDrawing empty_drawing(const DrawnLines& drawn, std::string title, const glm::dvec2& size_mm);
 
 // The contents of the files.
 std::string drawing_svg(const PageDrawing& drawing);

@@ -10,7 +10,6 @@
 #include <array>
 #include <cerrno>
 #include <cstdlib>
-#include <system_error>
 #include <vector>
 
 #include "tools/command.h"
@@ -96,8 +95,7 @@ FilmFile::FilmFile(const fs::path& path, const std::string& ending, const FrameS
 
 void FilmFile::start(const std::string& ending, const FrameSinkOptions& options) {
     const auto fail_by = [&](int error_number) {
-        throw Error(ErrorCode::io, file_.path().string() + ": cannot start ffmpeg: " +
-                                       std::generic_category().message(error_number));
+        throw FileError::of_system(file_.path().string(), "cannot start ffmpeg", error_number);
     };
     messages_ = std::tmpfile();
     std::array<int, 2> ends{};

@@ -55,8 +55,7 @@ OutputFile::OutputFile(fs::path path, const fs::path& model)
     const bool exists = stat(path_.c_str(), &existing) == 0;
     if (!exists && errno == ELOOP) fail("cannot follow the link", ELOOP);
     if (exists && S_ISDIR(existing.st_mode))
-        throw Error(ErrorCode::io,
-                    path_.string() + ": cannot write: it is a folder; name a file in it");
+        throw FileError(path_.string(), "cannot write: it is a folder; name a file in it", EISDIR);
     if (exists && !S_ISREG(existing.st_mode)) {
         // Open the link, not its target: the target of /dev/stdout may have no name.
         descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
@@ -71,8 +70,9 @@ OutputFile::OutputFile(fs::path path, const fs::path& model)
     }
     folder_ = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
     if (!fs::is_directory(folder_, error))
-        throw Error(ErrorCode::io, path_.string() + ": cannot write: there is no folder " +
-                                       folder_.string() + "; create it first");
+        throw FileError(
+            path_.string(),
+            "cannot write: there is no folder " + folder_.string() + "; create it first", ENOENT);
     if (exists && access(target_.c_str(), W_OK) != 0) fail("cannot write", errno);
     claim_.take(target_);
     remove_dead_parts(folder_);
@@ -132,8 +132,7 @@ fs::path OutputFile::temporary() const {
 }
 
 void OutputFile::fail(const std::string& problem, int error_number) const {
-    throw Error(ErrorCode::io, path_.string() + ": " + problem + ": " +
-                                   std::generic_category().message(error_number));
+    throw FileError::of_system(path_.string(), problem, error_number);
 }
 
 void OutputFile::close_descriptor() noexcept {

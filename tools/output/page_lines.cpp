@@ -296,6 +296,21 @@ private:
 
 }  // namespace
 
+PageLineOptions page_line_options(const DrawnLines& drawn, const ShownPart& part,
+                                  const glm::dvec2& page_mm) {
+    PageLineOptions options{
+        .min_length_mm = drawn.min_length_mm.value_or(DrawnLines::k_min_hidden_mm),
+        .double_mm = drawn.double_mm(),
+        .visible_double_mm = drawn.visible_double_mm(),
+        .min_visible_mm = drawn.min_length_mm.value_or(0.0),
+        .curve_mm = drawn.curve_mm,
+        .page_mm = page_mm,
+        .frame = {}};
+    if (drawn.hidden_by > 0) options.hidden_by = drawn.hidden_by;
+    if (part.is_cut) options.frame = {part.low, part.high};
+    return options;
+}
+
 void add_page_lines(const LineDrawing& drawing, const ViewPlace& place,
                     const PageLineOptions& options, std::vector<PageLine>& lines) {
     PageLineMaker maker(drawing, place, options, lines);

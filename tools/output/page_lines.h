@@ -13,6 +13,8 @@
 
 #include "silhouette/lines/line_drawing.h"
 #include "silhouette/mesh/mesh.h"
+#include "tools/options/drawn_lines.h"
+#include "tools/options/line_camera.h"
 #include "tools/output/drawing_page.h"
 #include "tools/output/line_materials.h"
 #include "tools/output/page_line.h"
@@ -46,6 +48,10 @@ struct PageLineOptions {
     const LineMaterials* materials = nullptr;
     HomogeneousPoint point = {};
 };
+
+/// Of what is drawn of a part of the picture, as curves, on a page of this size.
+PageLineOptions page_line_options(const DrawnLines& drawn, const ShownPart& part,
+                                  const glm::dvec2& page_mm);
 
 /// Appends the lines of the drawing.
 void add_page_lines(const LineDrawing& drawing, const ViewPlace& place,

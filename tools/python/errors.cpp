@@ -4,7 +4,6 @@
 #include <array>
 #include <cerrno>
 #include <string>
-#include <system_error>
 
 #include "silhouette/error.h"
 #include "tools/command.h"
@@ -18,8 +17,6 @@ namespace {
 
 // By ErrorCode. Owned by the module, which is never unloaded.
 std::array<PyObject*, 6> g_exceptions{};
-
-constexpr int k_system_errors = 134;  // Of Linux.
 
 PyObject* make_exception(py::module_& module, const char* name, const py::tuple& bases,
                          const char* what) {
@@ -36,32 +33,42 @@ void raise(PyObject* exception, std::string_view message) {
 
 PyObject* g_missing_file = nullptr;
 
-// The number of the system's error that the message ends with; 0: none.
-int system_error_in(std::string_view message) {
-    // Said in the library's own words.
-    if (message.ends_with("; create it first")) return ENOENT;
-    if (message.ends_with("; name a file in it")) return EISDIR;
-    for (int number = 1; number < k_system_errors; ++number)
-        if (message.ends_with(": " + std::generic_category().message(number))) return number;
-    return 0;
+// As Python's own functions have names of files.
+py::object file_name(const std::string& path) {
+    PyObject* const name =
+        PyUnicode_DecodeFSDefaultAndSize(path.data(), static_cast<Py_ssize_t>(path.size()));
+    if (name == nullptr) throw py::error_already_set();
+    return py::reinterpret_steal<py::object>(name);
 }
 
-// With `errno`, and as FileNotFoundError too where that is meant.
-void raise_file_error(std::string_view message) {
-    const int number = system_error_in(message);
+// With `errno` and `filename`, and as FileNotFoundError too where that is meant.
+void raise_file_error(const FileError& failure) {
     PyObject* const exception =
-        number == ENOENT ? g_missing_file : g_exceptions[std::size_t(ErrorCode::io)];
+        failure.number() == ENOENT ? g_missing_file : g_exceptions[std::size_t(ErrorCode::io)];
     const auto make = py::reinterpret_borrow<py::object>(exception);
-    const py::str text = message_text(message);
-    // With two arguments OSError keeps errno where it is pickled.
-    const py::object error = number == 0 ? make(text) : make(number, text);
+    const py::str text = message_text(failure.what());
+    const py::object name = file_name(failure.path());
+    py::object error;
+    if (failure.number() != 0) {
+        error = make(failure.number(), text, name);
+    } else {  // OSError has no filename without errno.
+        error = make(text);
+        error.attr("filename") = name;
+    }
     PyErr_SetObject(exception, error.ptr());
 }
 
-// The library's message alone: OSError's own text begins with errno.
+// The library's message alone, which begins with the file's name: OSError's own text has errno before it and the name
+// after it.
 py::object text_of_file_error(const py::object& error) {
-    const py::object text = error.attr("strerror");
-    if (py::isinstance<py::str>(text) && error.attr("filename").is_none()) return text;
+    const py::object text = error.attr("strerror"), name = error.attr("filename");
+    if (text.is_none()) return py::handle(PyExc_Exception).attr("__str__")(error);
+    if (py::isinstance<py::str>(text) && py::isinstance<py::str>(name)) {
+        const auto bytes = py::reinterpret_steal<py::bytes>(PyUnicode_EncodeFSDefault(name.ptr()));
+        if (!bytes) throw py::error_already_set();
+        const py::str start = message_text(bytes.cast<std::string>() + ": ");
+        if (text.attr("startswith")(start).cast<bool>()) return text;
+    }
     return py::handle(PyExc_OSError).attr("__str__")(error);
 }
 
@@ -88,8 +95,8 @@ void bind_errors(py::module_& module) {
         "No Vulkan device is suitable. The message lists what each device lacks.");
     add(ErrorCode::device_lost, "DeviceLostError", PyExc_RuntimeError, "The GPU stopped.");
     add(ErrorCode::io, "FileError", PyExc_OSError,
-        "The system could not read or write. The message names the path; errno is the system's, "
-        "if known.");
+        "The system could not read or write. The message names the path, and so does filename; "
+        "errno is the system's, if it has one.");
     const py::object file_error =
         py::reinterpret_borrow<py::object>(g_exceptions[std::size_t(ErrorCode::io)]);
     file_error.attr("__str__") =
@@ -106,8 +113,9 @@ void bind_errors(py::module_& module) {
     py::register_exception_translator([](std::exception_ptr failure) {
         try {
             if (failure) std::rethrow_exception(failure);
+        } catch (const FileError& error) {
+            raise_file_error(error);
         } catch (const Error& error) {
-            if (error.code() == ErrorCode::io) return raise_file_error(error.what());
             raise(g_exceptions[static_cast<std::size_t>(error.code())], error.what());
         } catch (const CLI::ValidationError& error) {  // Of the name of a built-in shape.
             const std::string message = error.what();

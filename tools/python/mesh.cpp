@@ -69,7 +69,10 @@ SharedMesh load(const py::object& path, const py::object& subdivide, const py::o
     std::vector<std::string> warnings;
     SharedMesh mesh = long_result(progress, [&](const LongCall& call) {
         try {
-            return tools::load_bound_mesh(name, steps, reads_textures, warnings, call);
+            return tools::load_bound_mesh(name, steps, reads_textures, "; load_points() reads it",
+                                          warnings, call);
+        } catch (const FileError&) {
+            throw;
         } catch (const Error& error) {
             // Of the message, not of the name of the file.
             const std::string message = error.what();

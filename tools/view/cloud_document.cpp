@@ -1,9 +1,9 @@
 #include "tools/view/cloud_document.h"
 
-#include <chrono>
 #include <cmath>
 
 #include "silhouette/points/feature_weights.h"
+#include "tools/timing.h"
 
 namespace rimline::tools {
 
@@ -56,7 +56,7 @@ std::vector<gpu::StrokeRecord> CloudDocument::silhouette_strokes(
     const HomogeneousPoint& point, const glm::vec3& paper, const std::optional<glm::vec3>& ink,
     float line_width_px) {
     if (!silhouette_ || silhouette_->point() != point) {
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         report_ = {};
         if (silhouette_) {
             const PointSilhouette::Change change = silhouette_->move_to(point);
@@ -68,9 +68,7 @@ std::vector<gpu::StrokeRecord> CloudDocument::silhouette_strokes(
         }
         report_.silhouette_points = silhouette_->size();
         report_.consensus_edges = static_cast<std::uint32_t>(silhouette_->consensus().size());
-        report_.move_ms =
-            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-                .count();
+        report_.move_ms = watch.ms();
     }
     return drawing_.strokes(silhouette_->consensus(),
                             ink ? srgb_bytes(*ink) : cloud_colors(paper).ink, line_width_px);

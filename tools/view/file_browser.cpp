@@ -3,24 +3,22 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <fstream>
-#include <string_view>
+#include <stdexcept>
 #include <system_error>
+
+#include "tools/options/model_argument.h"
+#include "tools/options/scene_mark.h"
+#include "tools/output/output_file.h"
 
 namespace rimline::tools {
 
 namespace {
 
-constexpr std::array<std::string_view, 11> k_endings{
-    ".ply", ".obj", ".stl", ".off", ".gltf", ".glb", ".xyz", ".pts", ".csv", ".txt", ".json"};
-
-bool is_model_name(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return std::ranges::find(k_endings, ending) != k_endings.end();
+// Texts may be clouds.
+bool can_be_opened(const std::filesystem::path& path) {
+    return is_model_file_name(path) || is_scene_file(path.string()) || path.extension() == ".txt";
 }
 
 // A line to be clicked, with text that is clear and text that is less so; `whole` in a tooltip where it is too long.
@@ -71,8 +69,15 @@ void RecentFiles::add(const std::string& name) {
     if (names_.size() > k_most) names_.resize(k_most);
     if (file_.empty()) return;
     std::filesystem::create_directories(file_.parent_path(), error);
-    std::ofstream out(file_);
-    for (const std::string& recent : names_) out << recent << '\n';
+    std::string text_of_names;
+    for (const std::string& recent : names_) text_of_names += recent + '\n';
+    try {
+        OutputFile out(file_);
+        out.write(text_of_names);
+        out.commit();
+    } catch (const std::runtime_error&) {
+        // Then they are forgotten.
+    }
 }
 
 FolderListing list_folder(const std::filesystem::path& folder) {
@@ -85,7 +90,7 @@ FolderListing list_folder(const std::filesystem::path& folder) {
         std::error_code unreadable;
         if (entry->is_directory(unreadable))
             listing.folders.push_back(name);
-        else if (is_model_name(entry->path()))
+        else if (can_be_opened(entry->path()))
             listing.files.push_back(name);
     }
     std::ranges::sort(listing.folders);

@@ -25,9 +25,6 @@ const Mesh& check_size(const std::string& name, const Mesh& mesh) {
 ModelDocument::Ground::Ground(const Mesh& model, const glm::dvec3& up_axis)
     : up(up_axis), mesh(make_ground(model, up_axis, k_ground_end * model.radius())), octree(mesh) {}
 
-ModelDocument::ModelDocument(std::string name, std::uint32_t subdivide, const BeginCall& begin)
-    : ModelDocument(name, load_drawn_model(name, subdivide, begin, TexturePictures::read), begin) {}
-
 ModelDocument::ModelDocument(std::string name, const MeshSource& source, const BeginCall& begin)
     : DocumentBase(std::move(name), source.warnings),
       models_{{.model = this->name()}},

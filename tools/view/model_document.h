@@ -23,11 +23,8 @@ namespace rimline::tools {
 /// octree by its address.
 class ModelDocument final : public DocumentBase {
 public:
-    /// Loads `name`, a file or shape:NAME[:FACES], and builds the octree. `begin` is called before each part
-    /// of the work (begin_call.h). Throws Error naming the model, and CLI::ValidationError if there is no
-    /// such shape.
-    ModelDocument(std::string name, std::uint32_t subdivide, const BeginCall& begin);
-    /// The same for a source that is already read.
+    /// Of the model `name`, which is read. `begin` is called before each part of the work (begin_call.h). Throws Error
+    /// naming the model.
     ModelDocument(std::string name, const MeshSource& source, const BeginCall& begin);
 
     /// What a scene file says of the document: the models that are joined in it, by default the one of its

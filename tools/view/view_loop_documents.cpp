@@ -27,6 +27,7 @@ void ViewLoop::open(const std::vector<std::string>& names, bool adds) {
     const auto is_scene = [](const std::string& name) { return is_scene_file(name); };
     const ModelDocument* const model = session_.document().model();
     added_.clear();
+    notice_.clear();
     if (!adds || !model) {
         if (names.size() > 1)
             notice_ = "opened the first of " + std::to_string(names.size()) +
@@ -59,6 +60,7 @@ void ViewLoop::cancel_load() {
     loader_.cancel();
     loads_ = Loads::other;
     added_.clear();
+    notice_.clear();
     panel_.forget_places();  // Else they would be asked for again.
 }
 
@@ -200,6 +202,9 @@ void ViewLoop::save(const PanelRequests::Save& save) {
     } catch (
         const std::runtime_error& error) {  // Error, or UsageError if the path is the model itself.
         panel_.show_message(error.what(), true);
+    } catch (const std::bad_alloc&) {
+        panel_.show_message(save.path + ": there is not enough memory for a picture of this size",
+                            true);
     }
 }
 

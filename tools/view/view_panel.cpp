@@ -11,6 +11,7 @@
 #include "engine/view_defaults.h"
 #include "silhouette/mesh/shapes/built_in_shape.h"
 #include "tools/options/picture_scene.h"
+#include "tools/options/style_names.h"
 #include "tools/options/view_option.h"
 #include "tools/view/camera_motion.h"
 #include "tools/view/light_handles.h"
@@ -19,7 +20,6 @@ namespace rimline::tools {
 
 namespace {
 
-constexpr std::array k_styles{"ink", "toon", "mask", "blueprint", "hatch"};
 // The first turns shadows off; the others are the values of ShadowMethod that can be asked for, in order.
 constexpr std::array k_shadows{"off", "automatic", "depth fail"};
 constexpr std::array k_axes{"x", "y", "z", "-x", "-y", "-z", "another"};
@@ -319,8 +319,8 @@ void ViewPanel::draw_appearance(ViewSession& session) {
     appearance.line_width_px = std::clamp(appearance.line_width_px, 0.1f, 100.0f);
     draw_colors(session);
     begin_model_only(session, "a cloud is drawn as ink on discs");
-    int style = static_cast<int>(appearance.style);
-    if (choose("style", k_styles, style)) appearance.set_style(static_cast<Style>(style));
+    int style = static_cast<int>(place_of(appearance.style));
+    if (choose("style", k_style_names, style)) appearance.set_style(k_styles[std::size_t(style)]);
     ImGui::Checkbox("hidden lines too", &appearance.hidden);
     bool creases = appearance.crease_angle_deg > 0.0f;
     if (ImGui::Checkbox("creases", &creases)) {

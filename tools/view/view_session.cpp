@@ -20,6 +20,7 @@
 #include "tools/options/picture_scene.h"
 #include "tools/options/scene_lights.h"
 #include "tools/options/shadow_framing.h"
+#include "tools/options/style_names.h"
 #include "tools/options/three_point.h"
 #include "tools/options/view_camera.h"
 #include "tools/output/camera_report.h"
@@ -37,17 +38,6 @@ std::string hex_of(const glm::vec3& linear) {
     std::array<char, 8> text{};
     std::snprintf(text.data(), text.size(), "#%02x%02x%02x", color.red, color.green, color.blue);
     return text.data();
-}
-
-const char* style_name(Style style) {
-    switch (style) {
-        case Style::ink: return "ink";
-        case Style::toon: return "toon";
-        case Style::mask: return "mask";
-        case Style::blueprint: return "blueprint";
-        case Style::hatch: return "hatch";
-    }
-    return "";
 }
 
 // "picture" of a scene file. What is the style's own is left out.

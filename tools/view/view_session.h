@@ -188,8 +188,6 @@ public:
 
     /// The lines stay those of the present camera while the camera moves.
     void freeze() { frozen_ = camera; }
-    /// The lines are those of the camera `from`.
-    void freeze_at(const Camera& from) { frozen_ = from; }
     void thaw() noexcept { frozen_.reset(); }
     const std::optional<Camera>& frozen() const noexcept { return frozen_; }
 

@@ -98,6 +98,18 @@ std::optional<glm::vec3> base_color(const GltfPlace& pbr, const char* key) {
     return clamped_color(glm::vec3(numbers[0], numbers[1], numbers[2]));
 }
 
+// Of what a color leaves of the surface, where the material lets it count. A texture's alpha is not looked at.
+bool is_translucent(const GltfPlace& material, const std::optional<GltfPlace>& model,
+                    const char* factor_key) {
+    const auto mode = material.find("alphaMode");
+    const auto factor = model ? model->find(factor_key) : std::nullopt;
+    if (!mode || !factor) return false;
+    const double alpha = factor->numbers<4>()[3];
+    if (mode->string() == "BLEND") return alpha < 1.0;
+    const auto cutoff = material.find("alphaCutoff");
+    return mode->string() == "MASK" && alpha < (cutoff ? cutoff->number() : 0.5);
+}
+
 class MaterialReader {
 public:
     MaterialReader(const GltfPlace& root, GltfScene& scene)
@@ -116,8 +128,13 @@ public:
                                 : std::nullopt;
         const bool is_glossy = glossy && richness(pbr, "baseColorFactor", "baseColorTexture") <
                                              richness(glossy, "diffuseFactor", "diffuseTexture");
-        if (is_glossy) return material_of(*glossy, "diffuseFactor", "diffuseTexture");
-        return pbr ? material_of(*pbr, "baseColorFactor", "baseColorTexture") : GltfMaterial();
+        const auto& model = is_glossy ? glossy : pbr;
+        const char* factor = is_glossy ? "diffuseFactor" : "baseColorFactor";
+        if (is_translucent(place, model, factor))
+            add_warning(scene_.warnings,
+                        place.message("the material is translucent; it is taken as opaque"));
+        if (!model) return {};
+        return material_of(*model, factor, is_glossy ? "diffuseTexture" : "baseColorTexture");
     }
 
 private:

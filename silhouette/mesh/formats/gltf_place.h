@@ -21,8 +21,12 @@ public:
         : file_(file), value_(value), path_(std::move(path)) {}
 
     const JsonValue& value() const noexcept { return value_; }
+    /// What the file's user is told about this value.
+    std::string message(const std::string& what) const {
+        return file_ + ": " + (path_.empty() ? "the document" : path_) + ": " + what;
+    }
     [[noreturn]] void fail(const std::string& what) const {
-        bad_file(file_, (path_.empty() ? "the document" : path_) + ": " + what);
+        throw Error(ErrorCode::bad_input, message(what));
     }
 
     const GltfPlace& object() const {

@@ -19,7 +19,8 @@
 //               KHR_materials_pbrSpecularGlossiness, and COLOR_0 of vertices
 // Colors of vertices become those of the corners of faces. Numbers of glTF are linear light; those of the other
 // formats are taken as sRGB. If several kinds of color are given, they are multiplied. A material library that is
-// missing or faulty is a warning, not an error, as is a texture. Normals and lines are ignored, as are skins
+// missing or faulty is a warning, not an error, as is a texture. Materials are taken as opaque, those that are not (OBJ's
+// d, glTF's alphaMode) with a warning. Normals and lines are ignored, as are skins
 // and morph targets of glTF.
 
 #include <filesystem>

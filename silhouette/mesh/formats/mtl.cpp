@@ -97,6 +97,7 @@ private:
             if (!material) continue;
             try {
                 if (equals_ignoring_case(keyword, "kd")) material->color = read_color(scanner);
+                if (equals_ignoring_case(keyword, "d")) check_is_opaque(scanner);
                 if (equals_ignoring_case(keyword, "map_kd")) {
                     material->map = read_map(library, scanner);
                     libraries_.files.push_back(material->map->texture.path);
@@ -105,6 +106,16 @@ private:
                 add_warning(warnings_, e.what());
             }
         }
+    }
+
+    // d [-halo] opacity. `Tr` is its opposite in some programs' files and the same in others'.
+    static void check_is_opaque(TextScanner& scanner) {
+        std::string_view word = scanner.token();
+        if (word == "-halo") word = scanner.token();
+        const std::optional<float> opacity = parse_float(word);
+        if (opacity && *opacity < 1.0f)
+            scanner.fail("d " + excerpt(word) +
+                         ": the material is translucent; it is taken as opaque");
     }
 
     // map_Kd [options] file. The name may hold spaces.

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <system_error>
 
 namespace rimline {
 
@@ -26,25 +25,20 @@ private:
     int fd_;
 };
 
-[[noreturn]] void io_error(const std::string& name, const std::string& what) {
-    throw Error(ErrorCode::io, name + ": " + what);
-}
-
-std::string reason(int error_number) { return std::generic_category().message(error_number); }
-
 }  // namespace
 
 SourceFile read_source_file(const std::filesystem::path& path, const LongCall& call) {
     SourceFile file{path.string(), {}, path.parent_path(), 0};
     // Without O_NONBLOCK, opening a pipe would wait for a writer.
     const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-    if (descriptor.get() < 0) io_error(file.name, "cannot open it: " + reason(errno));
+    if (descriptor.get() < 0) throw FileError::of_system(file.name, "cannot open it", errno);
     struct stat status {};
     if (::fstat(descriptor.get(), &status) != 0)
-        io_error(file.name, "cannot read it: " + reason(errno));
-    if (S_ISDIR(status.st_mode)) io_error(file.name, "is a directory; name a file in it");
+        throw FileError::of_system(file.name, "cannot read it", errno);
+    if (S_ISDIR(status.st_mode))
+        throw FileError(file.name, "is a directory; name a file in it", EISDIR);
     if (!S_ISREG(status.st_mode))
-        io_error(file.name, "is not a regular file; copy its contents to one");
+        throw FileError(file.name, "is not a regular file; copy its contents to one");
 
     constexpr std::size_t k_chunk = std::size_t{1} << 24;
     const auto expected = static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
@@ -58,7 +52,7 @@ SourceFile read_source_file(const std::filesystem::path& path, const LongCall& c
         ssize_t got = 0;
         do got = ::read(descriptor.get(), file.bytes.data() + had, want);
         while (got < 0 && errno == EINTR);
-        if (got < 0) io_error(file.name, "cannot read it: " + reason(errno));
+        if (got < 0) throw FileError::of_system(file.name, "cannot read it", errno);
         file.bytes.resize(had + static_cast<std::size_t>(got));
         if (got == 0) break;
         const double whole = static_cast<double>(std::max(expected, file.bytes.size()));

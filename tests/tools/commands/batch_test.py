@@ -4,11 +4,13 @@ import fcntl
 import json
 import os
 import pathlib
+import re
 import resource
 import signal
 import subprocess
 import tempfile
 import time
+import urllib.parse
 
 from program import PROGRAM, fail, have_device, run, skip, starts_within
 
@@ -211,6 +213,21 @@ def test_the_page_shows_pictures_and_failures():
         page = pathlib.Path(f"{folder}/all.html").read_text()
         assert "3 models, 1 failed" in page and 'src="out/m0.svg"' in page and "b&amp;d &lt;1&gt;.obj" in page
         assert page.count("<figure>") == 3 and page.count("<img") == 2
+
+
+def test_pictures_of_the_page_are_files_whatever_their_names():
+    with tempfile.TemporaryDirectory() as folder:
+        root = models(folder, 1)
+        for name in (b"bad\xff.obj", b"new\nline.obj", b"a&%3F#.obj"):
+            (root / os.fsdecode(name)).write_text(TRIANGLE)
+        batch = ["batch", str(root), "-o", f"{folder}/out", "--page", f"{folder}/all.html", "--", "draw", "-o", "{out}/{stem}.svg"]
+        for _ in range(2):  # The second one has all.
+            run(*batch)
+            page = pathlib.Path(f"{folder}/all.html").read_text("utf-8")
+            links = re.findall('src="([^"]*)"', page)
+            assert len(links) == 4
+            for link in links:
+                assert os.path.isfile(os.fsencode(folder) + b"/" + urllib.parse.unquote_to_bytes(link)), link
 
 
 def test_names_of_any_bytes_are_shown_once_and_as_text():

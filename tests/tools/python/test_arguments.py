@@ -2,6 +2,7 @@
 
 import errno
 import os
+import pathlib
 import pickle
 import threading
 
@@ -123,6 +124,29 @@ def test_pickled_errors_keep_their_number_and_text(tmp_path):
             assert str(copy) == str(error) and str(copy).startswith(str(tmp_path)) and "[Errno" not in str(copy)
     assert str(rimline.FileError("lost")) == "lost"
     assert str(rimline.FileError(2, "gone", "a.obj")) == "[Errno 2] gone: 'a.obj'"
+
+
+def test_errors_of_files_have_the_name_of_the_file(tmp_path):
+    odd = os.fsdecode(os.fsencode(tmp_path / "caf") + b"\xe9.obj")
+    drawing, picture = rimline.draw(BOX), np.full((4, 5, 4), 200, dtype=np.uint8).view(rimline.Picture)
+    for call, path in ((rimline.load, tmp_path / "none.obj"), (rimline.load, odd), (rimline.load, tmp_path),
+                       (rimline.load, pathlib.Path("/dev/null")), (rimline.load_points, tmp_path / "none.xyz"),
+                       (drawing.save, tmp_path / "none" / "a.svg"), (picture.save, tmp_path / "none" / "a.png")):
+        with pytest.raises(rimline.FileError) as caught:
+            call(path)
+        error = caught.value
+        assert error.filename == str(path) and "[Errno" not in str(error), path
+        copy = pickle.loads(pickle.dumps(error))
+        assert str(copy) == str(error) and (copy.filename == str(path) or error.errno is None)
+
+
+def test_a_cloud_is_not_a_mesh_and_the_message_names_its_reader(tmp_path):
+    path = tmp_path / "cloud.ply"
+    path.write_text("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+                    "end_header\n1 2 3\n")
+    with pytest.raises(rimline.InputError, match=r"cloud of 1 points; load_points\(\) reads it$"):
+        rimline.load(path)
+    assert rimline.load_points(path).tolist() == [[1, 2, 3]]
 
 
 @pytest.mark.parametrize("call, error, words", [

@@ -4,12 +4,12 @@
 
 #include <glm/geometric.hpp>
 
+#include "tests/tools/view/opened_model.h"
+
 using namespace rimline;
 using namespace rimline::tools;
 
 namespace {
-
-LongCall no_call(const std::string&) { return {}; }
 
 // By the definition: within the sphere whose poles are the origin and q, or before the plane.
 bool is_inside(const HoughInspection& inspection, const glm::dvec3& h) {
@@ -21,7 +21,8 @@ bool is_inside(const HoughInspection& inspection, const glm::dvec3& h) {
 }  // namespace
 
 TEST_CASE("the inspector's points and settled boxes lie on their sides of the v-sphere") {
-    const ModelDocument model("shape:knot:30000", 0, no_call);
+    const auto opened = tests::opened_model("shape:knot:30000");
+    const ModelDocument& model = *opened;
     HoughInspection inspection(model);
     CHECK(inspection.point_count() == model.octree().statistics().faces);
     CHECK(inspection.points().size() <= HoughInspection::k_max_points);
@@ -64,7 +65,8 @@ TEST_CASE("the inspector's points and settled boxes lie on their sides of the v-
 }
 
 TEST_CASE("from the origin of Hough space nothing is inside the v-sphere") {
-    const ModelDocument model("shape:box", 0, no_call);
+    const auto opened = tests::opened_model("shape:box");
+    const ModelDocument& model = *opened;
     HoughInspection inspection(model);
     inspection.update(model, HomogeneousPoint::viewpoint({0.0f, 0.0f, 0.0f}));
     // The v-sphere is that point alone.

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "tests/tools/view/opened_model.h"
 #include "tools/view/camera_motion.h"
 #include "tools/view/screen_view.h"
 #include "tools/view/view_arguments.h"
@@ -17,19 +18,11 @@
 using namespace rimline;
 using namespace rimline::tools;
 
-namespace {
-
-std::unique_ptr<ModelDocument> shape_to_frame(const std::string& name) {
-    return std::make_unique<ModelDocument>(name, 0, [](const std::string&) { return LongCall{}; });
-}
-
-}  // namespace
-
 TEST_CASE("between panels the model is whole in the middle of what they leave from every side" *
           doctest::test_suite("plain")) {
     ViewSession session;
     for (const char* name : {"shape:spring", "shape:scene", "shape:knot"}) {
-        session.show(shape_to_frame(name), 1.2);
+        session.show(tests::opened_model(name), 1.2);
         for (const FreeArea& area : {FreeArea{.window = {1280, 860}, .left = 320},
                                      FreeArea{.window = {900, 700}, .left = 320, .right = 290},
                                      FreeArea{.window = {700, 900}, .left = 0, .right = 300}})
@@ -114,7 +107,7 @@ TEST_CASE(
 
 TEST_CASE("what is in the middle between panels is as far as the target") {
     ViewSession session;
-    session.show(shape_to_frame("shape:knot"), 1.2);
+    session.show(tests::opened_model("shape:knot"), 1.2);
     const FreeArea area{.window = {1000, 700}, .left = 320, .right = 80};
     for (const bool orthographic : {false, true}) {
         session.appearance.orthographic = orthographic;
@@ -136,7 +129,7 @@ TEST_CASE("with a ground the model is whole too beside its shadow" * doctest::te
     for (const char* name : {"shape:spring", "shape:knot"})
         for (const FreeArea& area : {FreeArea{.window = {1100, 850}, .left = 320},
                                      FreeArea{.window = {900, 700}, .left = 320, .right = 290}}) {
-            session.show(shape_to_frame(name), area.aspect());
+            session.show(tests::opened_model(name), area.aspect());
             for (int turn = 0; turn < 8; ++turn) {
                 orbit(session.camera, {0.8, turn < 4 ? 0.1 : -0.1});
                 session.fit(area);

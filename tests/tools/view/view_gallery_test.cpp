@@ -9,20 +9,13 @@
 #include <glm/geometric.hpp>
 
 #include "silhouette/mesh/shapes/built_in_shape.h"
+#include "tests/tools/view/opened_model.h"
 
 using namespace rimline;
 using namespace rimline::tools;
 
-namespace {
-
-std::unique_ptr<ModelDocument> opened(const std::string& name) {
-    return std::make_unique<ModelDocument>(name, 0, [](const std::string&) { return LongCall{}; });
-}
-
-}  // namespace
-
 TEST_CASE("a sphere's small drawing is a circle that fills the square") {
-    const auto model = opened("shape:sphere:5000");
+    const auto model = tests::opened_model("shape:sphere:5000");
     const GalleryView view =
         gallery_view(model->lines().surface(), glm::normalize(glm::dvec3(1, 2, 3)), {0, 1, 0});
     double length = 0.0;
@@ -35,7 +28,7 @@ TEST_CASE("a sphere's small drawing is a circle that fills the square") {
 }
 
 TEST_CASE("the views of a model are found beside the window and are apart from each other") {
-    const auto model = opened("shape:knot:6000");
+    const auto model = tests::opened_model("shape:knot:6000");
     std::mutex mutex;
     std::condition_variable changed;
     ViewGallery gallery([&] {
@@ -68,8 +61,8 @@ TEST_CASE("the views of a model are found beside the window and are apart from e
 }
 
 TEST_CASE("a search for views can be stopped and begun again at any time") {
-    const auto model = opened("shape:knot:60000");
-    const auto other = opened("shape:torus:500");
+    const auto model = tests::opened_model("shape:knot:60000");
+    const auto other = tests::opened_model("shape:torus:500");
     ViewGallery gallery;
     for (int turn = 0; turn < 4; ++turn) {
         gallery.find(*model, {0, 1, 0});

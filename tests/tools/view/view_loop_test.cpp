@@ -2,6 +2,8 @@
 
 #include "tools/view/view_loop.h"
 
+#include <dlfcn.h>
+
 #include <array>
 #include <chrono>
 #include <filesystem>
@@ -11,6 +13,7 @@
 
 #include "tests/tools/scratch_folder.h"
 #include "tests/tools/view/shown_window.h"
+#include "tools/view/camera_motion.h"
 #include "tools/view/view_arguments.h"
 
 using namespace rimline;
@@ -35,6 +38,24 @@ TEST_CASE("a model opened in the window takes the other's place, and a broken on
     CHECK(shown.loop->message().find("broken.obj") != std::string::npos);
     load("shape:box");
     CHECK(shown.session.model().name() == "shape:box");
+    CHECK(shown.loop->message().empty());
+}
+
+TEST_CASE("that the first of several files was opened is told of those files alone") {
+    RIMLINE_OPEN_DISPLAY(display);
+    tests::ShownWindow shown({.panel = true});
+    const auto load = [&] {
+        for (int turn = 0; turn < 2000 && shown.loop->is_loading(); ++turn) shown.loop->step(true);
+        shown.loop->step(true);
+    };
+    const std::vector<std::string> two{"shape:box", "shape:torus:2000"};
+    shown.loop->open(two);
+    load();
+    CHECK(shown.loop->message().find("the first of 2 files") != std::string::npos);
+    shown.loop->open(two);
+    shown.loop->open({"shape:torus:2000"});
+    load();
+    CHECK(shown.session.model().name() == "shape:torus:2000");
     CHECK(shown.loop->message().empty());
 }
 
@@ -112,6 +133,77 @@ static void settle(ViewLoop& loop) {
     for (int step = 0; step < 500; ++step)
         if (!loop.step(false) && !loop.is_coarse()) return;
     FAIL("it does not rest");
+}
+
+// Another program that moves the mouse to the middle of the window, or beside it. GLFW has the library loaded.
+class OtherProgram {
+public:
+    explicit OtherProgram(const Window& window) {
+        int x = 0, y = 0;
+        glfwGetWindowPos(window.handle(), &x, &y);
+        x_ = x + static_cast<int>(window.size().x) / 2;
+        y_ = y + static_cast<int>(window.size().y) / 2;
+        display_ = call<void*(const char*)>("XOpenDisplay")(nullptr);
+        REQUIRE(display_ != nullptr);
+    }
+    ~OtherProgram() { call<int(void*)>("XCloseDisplay")(display_); }
+    OtherProgram(const OtherProgram&) = delete;
+    OtherProgram& operator=(const OtherProgram&) = delete;
+
+    void move_mouse() {
+        const unsigned long root = call<unsigned long(void*)>("XDefaultRootWindow")(display_);
+        x_ ^= 1;
+        call<int(void*, unsigned long, unsigned long, int, int, unsigned, unsigned, int, int)>(
+            "XWarpPointer")(display_, 0, root, 0, 0, 0, 0, x_, y_);
+        call<int(void*, int)>("XSync")(display_, 0);
+    }
+
+private:
+    template <typename Function>
+    Function* call(const char* name) const {
+        return reinterpret_cast<Function*>(dlsym(library_, name));
+    }
+
+    void* library_ = dlopen("libX11.so.6", RTLD_NOW);
+    void* display_ = nullptr;
+    int x_ = 0, y_ = 0;
+};
+
+TEST_CASE("an event that comes while a fine picture is drawn ends it, and is answered at once") {
+    RIMLINE_OPEN_DISPLAY(display);
+    tests::ShownWindow shown({.panel = true});
+    shown.resize(1400, 1000);
+    shown.capture_at_rest();
+    settle(*shown.loop);
+    OtherProgram other(shown.window);
+    using Clock = std::chrono::steady_clock;
+    // Drawn at once and fine, because nothing has happened for a while.
+    const auto draw_fine = [&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(350));
+        orbit(shown.session.camera, {0.2, 0.0});
+        return shown.loop->step(true);
+    };
+    const Clock::time_point start = Clock::now();
+    REQUIRE(draw_fine());
+    CHECK_FALSE(shown.loop->is_coarse());
+    const auto whole = Clock::now() - start - std::chrono::milliseconds(350);
+    if (whole < std::chrono::milliseconds(20)) RIMLINE_SKIP("pictures are drawn in no time here");
+    bool is_given_up = false;
+    for (int attempt = 0; attempt < 12 && !is_given_up; ++attempt) {
+        settle(*shown.loop);
+        std::thread mover([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(350) + whole / 3);
+            other.move_mouse();
+        });
+        is_given_up = !draw_fine();
+        mover.join();
+    }
+    CHECK(is_given_up);
+    // Coarse, as while something moves; then fine.
+    CHECK(shown.loop->step(true));
+    CHECK(shown.loop->is_coarse());
+    settle(*shown.loop);
+    CHECK_FALSE(shown.loop->is_coarse());
 }
 
 TEST_CASE(

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "tests/tools/scratch_folder.h"
+#include "tests/tools/view/opened_model.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/three_point.h"
 #include "tools/output/same_picture.h"
@@ -16,10 +17,6 @@ using namespace rimline;
 using namespace rimline::tools;
 
 namespace {
-
-std::unique_ptr<ModelDocument> open(const std::string& name) {
-    return std::make_unique<ModelDocument>(name, 0, [](const std::string&) { return LongCall{}; });
-}
 
 std::unique_ptr<CloudDocument> open_cloud(const std::string& name) {
     return std::make_unique<CloudDocument>(CloudArgument{.model = name, .as_points = true},
@@ -43,7 +40,7 @@ TEST_CASE("a model that is shown is wholly in view, lit, and drawn as the look s
     ViewSession session;
     CHECK(session.is_empty());
     for (const double aspect : {0.5, 1.0, 2.5}) {
-        session.show(open("shape:spring"), aspect);
+        session.show(tests::opened_model("shape:spring"), aspect);
         CHECK(all_in_view(session, aspect));
     }
     CHECK(session.lights.size() == 1);
@@ -66,7 +63,7 @@ TEST_CASE("a model that is shown is wholly in view, lit, and drawn as the look s
 TEST_CASE(
     "a model has the colors of its file until the user chooses a color or switches them off") {
     ViewSession session;
-    session.show(open("shape:spring"), 1.0);
+    session.show(tests::opened_model("shape:spring"), 1.0);
     const auto shows_mesh_colors = [&] {
         return session.scene().instances[0].material.shows_mesh_colors;
     };
@@ -120,7 +117,7 @@ TEST_CASE(
 
 TEST_CASE("a frozen silhouette stays that of where the camera was") {
     ViewSession session;
-    session.show(open("shape:knot:4000"), 1.5);
+    session.show(tests::opened_model("shape:knot:4000"), 1.5);
     const HomogeneousPoint before = session.silhouette_point();
     CHECK(before == HomogeneousPoint::viewpoint(glm::vec3(session.camera.eye)));
     session.freeze();
@@ -130,18 +127,18 @@ TEST_CASE("a frozen silhouette stays that of where the camera was") {
     REQUIRE(scene.silhouette_camera);
     CHECK(glm::vec3(scene.silhouette_camera->eye) == before.xyz());
     CHECK(scene.camera.eye != scene.silhouette_camera->eye);
-    session.replace(open("shape:knot:2000"));  // The same with its models moved.
+    session.replace(tests::opened_model("shape:knot:2000"));  // The same with its models moved.
     CHECK(session.silhouette_point() == before);
     session.thaw();
     CHECK(session.silhouette_point() == HomogeneousPoint::viewpoint(glm::vec3(session.camera.eye)));
     session.freeze();
-    session.show(open("shape:box"), 1.5);
+    session.show(tests::opened_model("shape:box"), 1.5);
     CHECK_FALSE(session.frozen());
 }
 
 TEST_CASE("another lens keeps the size of what lies at the target") {
     ViewSession session;
-    session.show(open("shape:torus"), 1.0);
+    session.show(tests::opened_model("shape:torus"), 1.0);
     const double height = view_height(session.camera);
     session.appearance.fov_y_deg = 70.0;
     session.apply_lens();
@@ -159,7 +156,7 @@ TEST_CASE("another lens keeps the size of what lies at the target") {
 
 TEST_CASE("fitting brings the model back into view from where the camera is, by any lens") {
     ViewSession session;
-    session.show(open("shape:spring"), 1.2);
+    session.show(tests::opened_model("shape:spring"), 1.2);
     for (const bool orthographic : {false, true}) {
         session.appearance.orthographic = orthographic;
         session.apply_lens();
@@ -175,7 +172,7 @@ TEST_CASE("fitting brings the model back into view from where the camera is, by 
 
 TEST_CASE("the camera looks from where it is told to, level, and never straight along its axis") {
     ViewSession session;
-    session.show(open("shape:knot"), 1.2);
+    session.show(tests::opened_model("shape:knot"), 1.2);
     const glm::dvec3 up = session.camera.up;
     for (const glm::dvec3& wanted : {glm::dvec3(0, 0, 1), {1, 0.4, -0.3}, {0, 1, 0}, {0, -2, 0}}) {
         session.look_from(wanted);
@@ -192,7 +189,7 @@ TEST_CASE("the camera looks from where it is told to, level, and never straight 
 
 TEST_CASE("the chosen sun takes the place of all lights and lights what the camera sees") {
     ViewSession session;
-    session.show(open("shape:knot"), 1.2);
+    session.show(tests::opened_model("shape:knot"), 1.2);
     session.add_light();
     CHECK_FALSE(session.has_chosen_sun());
     session.choose_sun(1.2);
@@ -209,7 +206,7 @@ TEST_CASE("the chosen sun takes the place of all lights and lights what the came
 
 TEST_CASE("a sun that was chosen has its direction again when it is restored") {
     ViewSession session;
-    session.show(open("shape:knot"), 1.2);
+    session.show(tests::opened_model("shape:knot"), 1.2);
     REQUIRE(session.has_chosen_sun());
     const glm::dvec3 sun = session.lights[0].vector;
     const ViewEdit before = session.edit();
@@ -231,7 +228,7 @@ TEST_CASE("a sun that was chosen has its direction again when it is restored") {
 
 TEST_CASE("a camera that moves keeps the model in its place and its chosen sun beside it") {
     ViewSession session;
-    session.show(open("shape:knot"), 1.2);
+    session.show(tests::opened_model("shape:knot"), 1.2);
     const FreeArea area{.window = {900, 700}, .left = 320};
     session.fit(area);
     CHECK(session.is_whole(area));
@@ -262,7 +259,8 @@ TEST_CASE(
     session.appearance.set_style(Style::toon);
     session.appearance.ground = true;
     session.appearance.line_width_px = 3.5f;
-    session.show(open("shape:knot"), {.eye = {3, 2, 4}, .target = {0, 0.5, 0}, .fov_y_deg = 30},
+    session.show(tests::opened_model("shape:knot"),
+                 {.eye = {3, 2, 4}, .target = {0, 0.5, 0}, .fov_y_deg = 30},
                  {{.vector = {1, 2, 0.5}, .directional = true},
                   {.vector = {3, 1, 1}, .directional = false}});
     CHECK(session.command({320, 240}, "my picture.png") ==
@@ -270,7 +268,7 @@ TEST_CASE(
           "320x240 "
           "--eye 3,2,4 --target 0,0.5,0 --up 0,1,0 --fov 30 --sun 1,2,0.5 --light 3,1,1 -o 'my "
           "picture.png'");
-    session.show(open("shape:knot"), {.eye = {3, 2, 4}}, {{.vector = {1, 2, 0.5}}});
+    session.show(tests::opened_model("shape:knot"), {.eye = {3, 2, 4}}, {{.vector = {1, 2, 0.5}}});
     session.document().model()->set_models(
         std::vector<PlacedModel>{{.model = "shape:knot", .subdivide = 2}}, std::nullopt);
     CHECK(session.command({320, 240}, "a.png")
@@ -313,7 +311,7 @@ TEST_CASE("the command of a cloud has its camera and its silhouette as the file 
 
 TEST_CASE("what no command says is refused with a word of what says it") {
     ViewSession session;
-    session.show(open("shape:knot"), 1.0);
+    session.show(tests::opened_model("shape:knot"), 1.0);
     const auto shows = [&](std::uint32_t first, std::uint32_t second, const glm::dvec3& up) {
         session.document().model()->set_models(
             {{.model = "shape:box", .subdivide = first},
@@ -340,7 +338,8 @@ TEST_CASE("what no command says is refused with a word of what says it") {
 
 TEST_CASE("three-point lighting is in the command and in the scene file as its sun") {
     ViewSession session;
-    session.show(open("shape:knot"), {.eye = {3, 2, 4}, .target = {0, 0.5, 0}, .fov_y_deg = 30},
+    session.show(tests::opened_model("shape:knot"),
+                 {.eye = {3, 2, 4}, .target = {0, 0.5, 0}, .fov_y_deg = 30},
                  {{.vector = {1, 2, 0.5}, .directional = true}});
     CHECK_FALSE(session.written_scene({320, 240}).picture.contains("lighting"));
     session.appearance.three_point = true;
@@ -373,7 +372,8 @@ TEST_CASE("three-point lighting is in the command and in the scene file as its s
 
 TEST_CASE("a frozen silhouette is in the command and in the scene file") {
     ViewSession session;
-    session.show(open("shape:knot"), {.eye = {3.1, 2, 4}, .target = {0, 0.5, 0}, .fov_y_deg = 30},
+    session.show(tests::opened_model("shape:knot"),
+                 {.eye = {3.1, 2, 4}, .target = {0, 0.5, 0}, .fov_y_deg = 30},
                  {{.vector = {1, 2, 0.5}, .directional = true}});
     const auto says = [&](const std::string& words) {
         return session.command({320, 240}, "a.png").find(words) != std::string::npos;
@@ -390,7 +390,8 @@ TEST_CASE("a frozen silhouette is in the command and in the scene file") {
 
     Camera from{.eye = {1, 2.5, -2}, .target = {0, 0.5, 0}};
     from.ortho_height = 3.0;
-    session.freeze_at(from);
+    session.camera = from;
+    session.freeze();
     CHECK(says(" --silhouette-direction 1,2,-2 "));
     CHECK(session.written_scene({320, 240}).picture["silhouette-direction"] ==
           nlohmann::ordered_json{1.0, 2.0, -2.0});
@@ -403,10 +404,10 @@ TEST_CASE("a frozen silhouette is in the command and in the scene file") {
 TEST_CASE("what cannot be drawn gives way to the model before it") {
     ViewSession session;
     CHECK_FALSE(session.show_previous(1.0));
-    session.show(open("shape:box"), 1.0);
+    session.show(tests::opened_model("shape:box"), 1.0);
     session.forget_previous();
     CHECK_FALSE(session.show_previous(1.0));
-    session.show(open("shape:sphere:500"), 1.0);
+    session.show(tests::opened_model("shape:sphere:500"), 1.0);
     CHECK(session.model().name() == "shape:sphere:500");
     CHECK(session.show_previous(1.0));
     CHECK(session.model().name() == "shape:box");
@@ -415,7 +416,7 @@ TEST_CASE("what cannot be drawn gives way to the model before it") {
 
 TEST_CASE("up is what is chosen: the ground follows it") {
     ViewSession session;
-    session.show(open("shape:box"), 1.0);
+    session.show(tests::opened_model("shape:box"), 1.0);
     session.appearance.ground = true;
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 up(0.0);
@@ -431,7 +432,7 @@ TEST_CASE("up is what is chosen: the ground follows it") {
 
 TEST_CASE("lights that are added differ, and any but the last can go") {
     ViewSession session;
-    session.show(open("shape:box"), 1.0);
+    session.show(tests::opened_model("shape:box"), 1.0);
     for (int i = 0; i < 5; ++i) session.add_light();
     REQUIRE(session.lights.size() == 6);
     for (std::size_t i = 0; i < 6; ++i)
@@ -446,7 +447,7 @@ TEST_CASE("lights that are added differ, and any but the last can go") {
 
 TEST_CASE("a scene that the window writes says what the window shows") {
     ViewSession session;
-    session.show(open("shape:box"), 1.5);
+    session.show(tests::opened_model("shape:box"), 1.5);
     std::vector<PlacedModel> models(2);
     models[0].model = "shape:box";
     models[1] = {.model = "shape:knot:3000",
@@ -543,7 +544,7 @@ TEST_CASE("a scene file that is saved again keeps its size and its other cameras
         CHECK(after.cameras[i + 1].json == before.cameras[i].json);
     }
     // Those of another document are not its own.
-    session.show(open("shape:knot"), 1.0);
+    session.show(tests::opened_model("shape:knot"), 1.0);
     CHECK(session.written_scene({600, 800}).cameras.size() == 1);
 }
 
@@ -570,7 +571,7 @@ TEST_CASE("what a scene file says beyond the window is kept where render takes i
     CHECK(written(session)["palette"] == "sea");
     CHECK(written(session)["intersections"] == false);
     CHECK(written(session)["min-length"] == 7.5);
-    session.replace(open("shape:box"));  // Its models moved.
+    session.replace(tests::opened_model("shape:box"));  // Its models moved.
     CHECK(written(session)["min-length"] == 7.5);
     session.freeze();
     CHECK_FALSE(written(session).contains("intersections"));
@@ -580,7 +581,7 @@ TEST_CASE("what a scene file says beyond the window is kept where render takes i
     session.appearance.set_style(Style::hatch);  // It has other palettes.
     CHECK_FALSE(written(session).contains("palette"));
     CHECK(written(session).contains("intersections"));
-    session.show(open("shape:knot"), 1.0);
+    session.show(tests::opened_model("shape:knot"), 1.0);
     CHECK_FALSE(written(session).contains("intersections"));
 
     session = open_with(R"({"outline": "sobel", "depth-step": 0.01})", 2);

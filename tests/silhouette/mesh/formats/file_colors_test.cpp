@@ -94,6 +94,41 @@ TEST_CASE("OBJ: faces have the Kd of their materials, and all triangles of a pol
     CHECK(colors_of(source.materials, 5).empty());
 }
 
+TEST_CASE("OBJ and glTF: a translucent material is taken as opaque with a warning") {
+    const auto warnings_of = [](const std::string& lines) {
+        const MeshSource source =
+            read_with_library(k_flat_square + "mtllib colors.mtl\nusemtl red\nf 1 2 3\n",
+                              "newmtl red\n" + lines + "Kd 1 0 0\n");
+        CHECK(colors_of(source.materials, 0) == plain(k_red));
+        return source.warnings;
+    };
+    for (const char* opaque : {"d 1\n", "d -halo 1.0\n", "Tr 1\n", "d\n", "illum 2\n"})
+        CHECK(warnings_of(opaque).empty());
+    for (const char* clear : {"d 0.3\n", "D -halo 0\n"}) {
+        REQUIRE(warnings_of(clear).size() == 1);
+        CHECK(has(warnings_of(clear)[0], "colors.mtl:2: d '"));
+        CHECK(has(warnings_of(clear)[0], "translucent; it is taken as opaque"));
+    }
+    const auto gltf_warnings = [](const std::string& mode, const std::string& alpha) {
+        const MeshSource source = read_text(
+            "a.gltf", strips({R"(}, "material": 0})"},
+                             R"([{"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, )" + alpha +
+                                 R"(]}, "name": "x")" + mode + "}]"));
+        CHECK(colors_of(source.materials, 0) == plain(k_red));
+        return source.warnings;
+    };
+    CHECK(gltf_warnings("", "0.2").empty());
+    CHECK(gltf_warnings(R"(, "alphaMode": "OPAQUE")", "0.2").empty());
+    CHECK(gltf_warnings(R"(, "alphaMode": "BLEND")", "1").empty());
+    CHECK(gltf_warnings(R"(, "alphaMode": "MASK")", "0.6").empty());
+    for (const char* mode :
+         {R"("alphaMode": "BLEND")", R"("alphaMode": "MASK", "alphaCutoff": 0.7)"}) {
+        const std::vector<std::string> warnings = gltf_warnings(std::string(", ") + mode, "0.6");
+        REQUIRE(warnings.size() == 1);
+        CHECK(has(warnings[0], "a.gltf: materials[0]: the material is translucent"));
+    }
+}
+
 TEST_CASE("OBJ: keywords and options of libraries may have letters of any case but names may not") {
     const std::string obj =
         k_flat_square + "mtllib colors.mtl\nusemtl Red\nf 1 2 3\nusemtl red\nf 1 2 3\n";
