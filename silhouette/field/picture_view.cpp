@@ -14,10 +14,10 @@
 #include <numeric>
 
 #include "silhouette/field/best_views.h"
+#include "silhouette/field/front_side.h"
 #include "silhouette/mesh/any_perpendicular.h"
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/ground_axes.h"
-#include "silhouette/mesh/upright.h"
 
 namespace rimline {
 
@@ -34,6 +34,8 @@ constexpr double k_apart_deg = 25.0;
 constexpr double k_near_best = 0.95;
 constexpr double k_eye_radii = 1.9;  // In the shell of best_views.h.
 constexpr double k_low_spread = 0.15;
+constexpr double k_least_preference = 0.5;
+constexpr double k_least_certainty = 0.1;
 
 // Depths of the faces, greater is nearer.
 class DepthBuffer {
@@ -180,14 +182,12 @@ std::vector<glm::dvec3> candidate_directions(const Mesh& mesh, const glm::dvec3&
     return directions;
 }
 
-// Of a view 90 degrees or more from both three-quarter views.
-double least_preference(const Mesh& mesh, const glm::dvec3& up) {
-    const UprightEvidence evidence = measure_upright(mesh);
-    const glm::dvec3 right = ground_axes(up).first;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        if (std::abs(right[int(axis)]) > 0.99 && is_symmetric_across_alone(evidence, axis))
-            return 0.5;
-    return 0.85;
+// Three-quarter views of the front, or where none is known also of the other side.
+double likeness(const glm::dvec3& direction, const glm::dvec3& up, const FrontSide& front) {
+    if (front.certainty > 0.0) return three_quarter_likeness(direction, up, front.towards);
+    const glm::dvec3 away = ground_axes(up).second;
+    return std::max(three_quarter_likeness(direction, up, away),
+                    three_quarter_likeness(direction, up, -away));
 }
 
 }  // namespace
@@ -213,12 +213,13 @@ glm::dvec3 choose_picture_direction(const Mesh& mesh, const glm::dvec3& up, cons
     for (const glm::dvec3& direction : directions) points.push_back(k_eye_radii * direction);
     std::vector<double> votes(points.size());
     field.values(points, votes, {call.stop, {}});
-    const double least = least_preference(mesh, up);
+    const FrontSide front = find_front_side(mesh, up, call.stop);
+    const double least = glm::mix(1.0, k_least_preference, front.certainty);
     const std::vector<double> low = shares_at_low_angles(mesh, directions);
     const double least_low = std::ranges::min(low);
     for (std::size_t i = 0; i < votes.size(); ++i) {
         const double away = std::max(0.0, (low[i] - least_low) / k_low_spread - 1.0);
-        votes[i] *= glm::mix(least, 1.0, std::max(0.0, three_quarter_likeness(directions[i], up))) *
+        votes[i] *= glm::mix(least, 1.0, std::max(0.0, likeness(directions[i], up, front))) *
                     std::exp(-away * away);
     }
     std::vector<std::size_t> order(points.size());
@@ -246,12 +247,14 @@ glm::dvec3 choose_picture_direction(const Mesh& mesh, const glm::dvec3& up, cons
     }
     std::size_t best = 0;
     double best_likeness = -2.0;
+    const bool knows_front = front.certainty > k_least_certainty;
     for (std::size_t i = 0; i < measured.size(); ++i) {
         if (scores[i] < k_near_best * max_score) continue;
-        const double likeness = three_quarter_likeness(measured[i], up);
-        if (likeness > best_likeness) {
+        const double this_likeness =
+            knows_front ? likeness(measured[i], up, front) : scores[i] / max_score;
+        if (this_likeness > best_likeness) {
             best = i;
-            best_likeness = likeness;
+            best_likeness = this_likeness;
         }
     }
     return measured[best];

@@ -11,12 +11,12 @@
 //   less where much more of the surface is seen at a low angle than from another candidate: votes are highest near
 //     planes, but the faces of a box are shown only away from them. exp(-(s / 0.15 - 1)^2), where s > 0.15 is how much
 //     more. A face counts whole along its plane, and not at 30 degrees to it. Organic shapes differ by 0.1 to 0.2;
-//   a mild preference: 1 for the three-quarter views in front, to the right or left, 0.85 for what is 90 degrees or
-//     more away from both. Votes hardly know a face from the back of a head. Where the mesh is symmetric across the
-//     axis to the right alone, it faces the front or the back, and files mostly have the front in front: 0.5 instead
-//     of 0.85.
+//   a preference: 1 for the three-quarter views of the side that the mesh faces (front_side.h), to the right or left,
+//     and for what is 90 degrees or more away from both less: down to 0.5, the more certain that side is. Votes
+//     hardly know a face from the back of a head.
 //
-// Among the directions whose score is within 5% of the best one, the nearest to a three-quarter view is chosen.
+// Among the directions whose score is within 5% of the best one, the nearest to a three-quarter view is chosen, if that
+// side is known.
 //
 // The preferences, the elevations and the area were chosen by looking at pictures of 35 meshes: those of this project
 // (docs/contributing.md) and some of CGAL's. They were judged on no others. The limit of low angles was chosen on this

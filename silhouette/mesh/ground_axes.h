@@ -31,13 +31,24 @@ inline glm::dvec3 three_quarter_direction(const glm::dvec3& up) {
     return glm::normalize(0.55 * first - 1.0 * second + 0.45 * glm::normalize(up));
 }
 
-/// The cosine of the angle between a direction of length 1 and the nearer of the two three-quarter views in front; a
-/// little more for the right one, so that it is the nearer one where both are alike.
-inline double three_quarter_likeness(const glm::dvec3& direction, const glm::dvec3& up) {
+/// The cosine of the angle between a direction of length 1 and the nearer of the two three-quarter views of what faces
+/// `front`, which has length 1 and is perpendicular to `up`; a little more for the right one, so that it is the nearer
+/// one where both are alike.
+inline double three_quarter_likeness(const glm::dvec3& direction, const glm::dvec3& up,
+                                     const glm::dvec3& front) {
     const glm::dvec3 usual = three_quarter_direction(up);
-    const glm::dvec3 right = ground_axes(up).first;
-    const glm::dvec3 mirrored = usual - 2.0 * glm::dot(usual, right) * right;
-    return std::max(glm::dot(direction, usual) + 1e-3, glm::dot(direction, mirrored));
+    const auto [first, second] = ground_axes(up);
+    // Turned around `up`, by what turns the usual front to this one.
+    const glm::dvec3 right = glm::dot(front, -second) * first + glm::dot(front, first) * second;
+    const auto view = [&](double side) {
+        return side * glm::dot(usual, first) * right + glm::dot(usual, -second) * front +
+               glm::dot(usual, glm::normalize(up)) * glm::normalize(up);
+    };
+    return std::max(glm::dot(direction, view(1.0)) + 1e-3, glm::dot(direction, view(-1.0)));
+}
+/// The same of what faces the usual front.
+inline double three_quarter_likeness(const glm::dvec3& direction, const glm::dvec3& up) {
+    return three_quarter_likeness(direction, up, -ground_axes(up).second);
 }
 
 }  // namespace rimline

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <tuple>
 #include <utility>
 
 #include "silhouette/error.h"
@@ -48,6 +49,20 @@ glm::dvec3 twice_area_vector(std::span<const glm::vec3> positions,
     return sum;
 }
 
+bool is_before(const glm::vec3& a, const glm::vec3& b) noexcept {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+}
+
+// Whether the first corner of a quad, by is_before(), is 0 or 2.
+bool has_first_of_all(std::span<const glm::vec3> positions,
+                      std::span<const std::uint32_t> quad) noexcept {
+    const auto first = [&](int i, int j) {
+        const glm::vec3 &a = positions[quad[i]], &b = positions[quad[j]];
+        return is_before(b, a) ? b : a;
+    };
+    return is_before(first(0, 2), first(1, 3));
+}
+
 // A point's position in the plane: its coordinates without the normal's largest axis, in the order
 // that makes the polygon counter-clockwise.
 struct Projection {
@@ -73,8 +88,13 @@ class Triangulator::EarClipper {
 public:
     explicit EarClipper(std::stop_token stop) : stop_(std::move(stop)) {}
 
-    void clip(std::span<const glm::vec3> positions, std::span<const std::uint32_t> polygon,
-              const Projection& project, std::vector<std::array<std::uint32_t, 3>>& triangles);
+    /// Keeps the polygon from its first corner on (is_before), towards the one of its neighbors that comes first. Returns
+    /// whether that reverses it.
+    bool take(std::span<const glm::vec3> positions, std::span<const std::uint32_t> polygon);
+    std::span<const std::uint32_t> polygon() const noexcept { return polygon_; }
+    /// Of the polygon that is kept.
+    void clip(std::span<const glm::vec3> positions, const Projection& project,
+              std::vector<std::array<std::uint32_t, 3>>& triangles);
 
 private:
     struct Node {
@@ -132,7 +152,7 @@ private:
 
     std::stop_token stop_;
     std::span<const glm::vec3> positions_;
-    std::span<const std::uint32_t> polygon_;
+    std::vector<std::uint32_t> polygon_;
     std::vector<Node> nodes_;
     std::vector<Candidate> open_;     // Not known to be blocked.
     std::vector<Candidate> blocked_;  // Used if `open_` is empty: the polygon crosses itself.
@@ -265,19 +285,28 @@ Corner Triangulator::EarClipper::next_ear() {
     return some_corner_;
 }
 
-void Triangulator::EarClipper::clip(std::span<const glm::vec3> positions,
-                                    std::span<const std::uint32_t> polygon,
-                                    const Projection& project,
+bool Triangulator::EarClipper::take(std::span<const glm::vec3> positions,
+                                    std::span<const std::uint32_t> polygon) {
+    const auto by_position = [&](std::uint32_t a, std::uint32_t b) {
+        return is_before(positions[a], positions[b]);
+    };
+    polygon_.assign(polygon.begin(), polygon.end());
+    std::ranges::rotate(polygon_, std::ranges::min_element(polygon_, by_position));
+    const bool is_reversed = by_position(polygon_.back(), polygon_[1]);
+    if (is_reversed) std::reverse(polygon_.begin() + 1, polygon_.end());
+    return is_reversed;
+}
+
+void Triangulator::EarClipper::clip(std::span<const glm::vec3> positions, const Projection& project,
                                     std::vector<std::array<std::uint32_t, 3>>& triangles) {
-    const auto count = static_cast<Corner>(polygon.size());
+    const auto count = static_cast<Corner>(polygon_.size());
     positions_ = positions;
-    polygon_ = polygon;
     nodes_.resize(count);
     open_.clear();
     blocked_.clear();
     waiting_.clear();
     for (Corner i = 0; i < count; ++i)
-        nodes_[i] = {project(positions[polygon[i]]),
+        nodes_[i] = {project(positions[polygon_[i]]),
                      i == 0 ? count - 1 : i - 1,
                      i + 1 == count ? 0 : i + 1,
                      0,
@@ -303,7 +332,7 @@ void Triangulator::EarClipper::clip(std::span<const glm::vec3> positions,
         Node& node = nodes_[ear];
         const Corner before = node.before;
         const Corner after = node.after;
-        triangles.push_back({polygon[before], polygon[ear], polygon[after]});
+        triangles.push_back({polygon_[before], polygon_[ear], polygon_[after]});
         node.alive = false;
         nodes_[before].after = after;
         nodes_[after].before = before;
@@ -314,7 +343,7 @@ void Triangulator::EarClipper::clip(std::span<const glm::vec3> positions,
         if (gridded_count_ > 64 && reflex_count_ < gridded_count_ / 2) build_grid();
     }
     const Node& last = nodes_[some_corner_];
-    triangles.push_back({polygon[last.before], polygon[some_corner_], polygon[last.after]});
+    triangles.push_back({polygon_[last.before], polygon_[some_corner_], polygon_[last.after]});
 }
 
 Triangulator::Triangulator(std::stop_token stop)
@@ -331,8 +360,8 @@ void Triangulator::triangulate(std::span<const glm::vec3> positions,
         triangles.push_back({polygon[0], polygon[1], polygon[2]});
         return;
     }
-    const glm::dvec3 normal = twice_area_vector(positions, polygon);
     if (polygon.size() == 4) {
+        const glm::dvec3 normal = twice_area_vector(positions, polygon);
         // The two diagonals, each with the smaller of its two triangle areas along the normal. In a
         // concave quad the diagonal outside has a negative area.
         const auto corner = [&](int i) { return glm::dvec3(positions[polygon[i]]); };
@@ -341,10 +370,11 @@ void Triangulator::triangulate(std::span<const glm::vec3> positions,
         };
         const double cut_02 = std::min(area(0, 1, 2), area(0, 2, 3));
         const double cut_13 = std::min(area(0, 1, 3), area(1, 2, 3));
-        const bool take_02 = cut_02 > 0.0 && cut_13 > 0.0 ? glm::distance(corner(0), corner(2)) <=
-                                                                glm::distance(corner(1), corner(3))
-                                                          : cut_02 >= cut_13;
-        if (take_02) {
+        const bool both_inside = cut_02 > 0.0 && cut_13 > 0.0;
+        const double more_02 =
+            both_inside ? glm::distance(corner(1), corner(3)) - glm::distance(corner(0), corner(2))
+                        : cut_02 - cut_13;
+        if (more_02 > 0.0 || (more_02 == 0.0 && has_first_of_all(positions, polygon))) {
             triangles.push_back({polygon[0], polygon[1], polygon[2]});
             triangles.push_back({polygon[0], polygon[2], polygon[3]});
         } else {
@@ -353,13 +383,20 @@ void Triangulator::triangulate(std::span<const glm::vec3> positions,
         }
         return;
     }
+    const bool is_reversed = clipper_->take(positions, polygon);
+    polygon = clipper_->polygon();
+    const glm::dvec3 normal = twice_area_vector(positions, polygon);
+    const std::size_t first = triangles.size();
     if (normal == glm::dvec3(0.0)) {
         // Inside and outside are not defined.
         for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
             triangles.push_back({polygon[0], polygon[i], polygon[i + 1]});
-        return;
+    } else {
+        clipper_->clip(positions, Projection(normal), triangles);
     }
-    clipper_->clip(positions, polygon, Projection(normal), triangles);
+    if (is_reversed)
+        for (std::size_t i = first; i < triangles.size(); ++i)
+            std::swap(triangles[i][1], triangles[i][2]);
 }
 
 }  // namespace rimline

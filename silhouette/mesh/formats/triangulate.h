@@ -7,7 +7,8 @@
 // plane perpendicular to the area vector (Newell's normal). It projects along the vector's largest axis,
 // so the original float coordinates decide. The ear with the best shape is clipped first, because slivers
 // have unreliable normals and a flat face would then show edges. A quad is split at its shorter inner
-// diagonal.
+// diagonal. Ties are decided by positions: the same polygon from another corner on, or reversed, as on the back of a sheet,
+// is cut along the same lines.
 //
 // Polygons that touch or cross themselves, or have no area, also give corners - 2 triangles and the same
 // area vector.

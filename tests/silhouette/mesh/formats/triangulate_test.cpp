@@ -106,6 +106,43 @@ TEST_CASE("A triangle is itself and a quad takes its shorter inner diagonal") {
     }
 }
 
+TEST_CASE("A polygon from another corner on, or seen from behind, is cut along the same lines") {
+    // By positions, in order.
+    const auto triangles_of = [](const std::vector<glm::vec3>& polygon) {
+        std::vector<std::array<std::array<float, 3>, 3>> triangles;
+        for (const auto& t : cut(polygon)) {
+            auto& corners = triangles.emplace_back();
+            for (std::size_t i = 0; i < 3; ++i)
+                corners[i] = {polygon[t[i]].x, polygon[t[i]].y, polygon[t[i]].z};
+            std::ranges::sort(corners);
+        }
+        std::ranges::sort(triangles);
+        return triangles;
+    };
+    std::mt19937 random(5);
+    for (int corners = 4; corners < 30; ++corners)
+        for (const float least : {1.0f, 0.5f}) {  // Regular: full of ties. And concave.
+            CAPTURE(corners);
+            std::vector<glm::vec3> polygon = placed(star(random, corners, least), {1, 0.2f, 0.3f},
+                                                    {-0.2f, 1, 0.1f}, {0.5f, 2, 0});
+            const auto expected = triangles_of(polygon);
+            check_sums(polygon, cut(polygon));
+            for (int shift = 0; shift < corners; ++shift) {
+                std::ranges::rotate(polygon, polygon.begin() + 1);
+                std::vector<glm::vec3> reversed(polygon.rbegin(), polygon.rend());
+                CHECK(triangles_of(polygon) == expected);
+                CHECK(triangles_of(reversed) == expected);
+                check_sums(reversed, cut(reversed));
+            }
+        }
+    // A rectangle has two diagonals of the same length.
+    const std::vector<glm::vec3> sheet{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}};
+    const std::vector<glm::vec3> back{sheet[0], sheet[3], sheet[2], sheet[1]};
+    const std::vector<glm::vec3> shifted{sheet[3], sheet[2], sheet[1], sheet[0]};
+    CHECK(triangles_of(back) == triangles_of(sheet));
+    CHECK(triangles_of(shifted) == triangles_of(sheet));
+}
+
 TEST_CASE("Random concave polygons in random planes keep their area") {
     const std::uint32_t seed = 11;
     CAPTURE(seed);
