@@ -101,7 +101,7 @@ public:
                       "Of the picture: from the model towards the viewer");
         add_up(app, up_, is_up_auto_,
                "Of the picture: X,Y,Z, one of x, y, z, -x, -y, -z, or auto: along which the model "
-               "stands (default: the file format's)");
+               "stands (default: as the file format says, else auto)");
         app.footer(
             "An origin is good for an index when few edges are on the silhouette from there (SFO)\n"
             "and its distances from the planes spread. Each face belongs to one origin. "
@@ -157,9 +157,8 @@ private:
         context.times.end("choosing origins");
         if (file) {
             const HoughOctree octree(mesh, {chosen.found.origins});
-            if (is_up_auto_) settle_up(mesh, up_, true, context.stop);
-            const bool is_z_up = mesh.up() == UpAxis::z;
-            const glm::dvec3 up = up_ ? glm::dvec3(*up_) : direction_of(mesh.up());
+            const glm::dvec3 up = settle_up(mesh, up_, is_up_auto_, context.stop).up;
+            const bool is_z_up = std::abs(up.z) > std::abs(up.y);
             const glm::dvec3 towards =
                 direction_ ? glm::dvec3(*direction_)
                            : (is_z_up ? glm::dvec3(0.9, -0.7, 0.4) : glm::dvec3(0.9, 0.4, 0.7));

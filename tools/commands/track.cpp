@@ -125,7 +125,7 @@ public:
         up_option_ =
             add_up(app, up_, is_up_auto_,
                    "Axis of the orbit: X,Y,Z, one of x, y, z, -x, -y, -z, or auto: along which the "
-                   "model stands (default: y, or z if the file format says so)")
+                   "model stands (default: as the file format says, else auto)")
                 ->group("Path");
         add_points(app, "--origin", origins_,
                    "Origin of Hough space; repeatable (default: the model's center)")
@@ -149,10 +149,8 @@ public:
         path_.require_path(up_option_, "orbit");
         path_.read(context);  // Reports a bad file before a long load.
         const Mesh mesh = model_.load_mesh(context);
-        if (is_up_auto_) settle_up(mesh, up_, true, context.stop);
-        const glm::vec3 own_up = glm::vec3(direction_of(mesh.up()));
-        const std::vector<HomogeneousPoint> points =
-            path_.points(mesh, up_.value_or(own_up), k_orbit_radius);
+        settle_up(mesh, up_, is_up_auto_, context.stop);
+        const std::vector<HomogeneousPoint> points = path_.points(mesh, *up_, k_orbit_radius);
 
         const Track track = about_model(model_.model, [&] {
             return follow(model_.model, mesh, origins_, points, verify_, context);

@@ -241,7 +241,7 @@ void ModelList::read_scene(PictureOptions& picture, FirstCamera first_camera) {
     use(scene_->lights);
     use(scene_->picture);
     // The up direction of the camera may be another one than that of the scene.
-    if (scene_->up) scene_up_ = scene_->up;
+    if (!scene_up_) scene_up_ = scene_->up;  // Else it is the command line's.
     if (!scene_up_) std::swap(scene_up_, models_.front().up);
     if (!picture.up && !picture.is_up_auto && scene_up_) {
         picture.is_up_auto = !scene_up_->direction;

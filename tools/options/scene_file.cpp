@@ -3,7 +3,9 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -32,7 +34,7 @@ using Setting = SceneFile::Setting;
 
 namespace {
 
-enum class Kind { text, number, number_or_text, vector, on_or_off, flag };
+enum class Kind { text, number, number_or_word, vector, on_or_off, flag };
 
 struct PictureKey {
     std::string_view name;
@@ -46,7 +48,7 @@ constexpr std::array<PictureKey, 21> k_picture_keys{{{"style", Kind::text},
                                                      {"line-color", Kind::text},
                                                      {"lines", Kind::on_or_off},
                                                      {"line-width", Kind::number},
-                                                     {"crease", Kind::number_or_text},
+                                                     {"crease", Kind::number_or_word},
                                                      {"hidden", Kind::flag},
                                                      {"shadows", Kind::text},
                                                      {"lighting", Kind::text},
@@ -118,7 +120,18 @@ public:
         if (!value_.is_number()) reject("a number");
         return exact_text(value_.get<double>());
     }
-    std::string number_or_text() const { return value_.is_string() ? text() : number(); }
+    // Not a number or vector within a text.
+    bool is_word() const {
+        if (!value_.is_string()) return false;
+        const std::string word = value_.get<std::string>();
+        const std::size_t sign = word.starts_with('-') ? 1 : 0;  // Of an axis.
+        return word.size() > sign && std::isalpha(static_cast<unsigned char>(word[sign])) != 0;
+    }
+    std::string number_or_word() const {
+        if (is_word()) return text();
+        if (!value_.is_number()) reject("a number or a name");
+        return number();
+    }
     bool truth() const {
         if (!value_.is_boolean()) reject("true or false");
         return value_.get<bool>();
@@ -136,7 +149,7 @@ public:
     std::string vector() const { return numbers(3, "[x, y, z]"); }
     // A vector, or a word that the option knows.
     std::string vector_or_word() const {
-        return value_.is_string() ? text() : numbers(3, "[x, y, z] or a name");
+        return is_word() ? text() : numbers(3, "[x, y, z] or a name");
     }
 
     // The result of a parser of option_types.h.
@@ -286,10 +299,10 @@ PlacedModel model_of(const Node& node, const fs::path& folder) {
     PlacedModel model{.model = model_name_of(node.at("model"), folder)};
     if (node.has("subdivide")) {
         const Node steps = node.at("subdivide");
-        if (!steps.value().is_number_unsigned() ||
-            steps.value().get<std::uint64_t>() > k_max_subdivisions)
+        const double count = steps.value().is_number() ? steps.value().get<double>() : -1.0;
+        if (count != std::floor(count) || count < 0.0 || count > k_max_subdivisions)
             steps.reject("a whole number from 0 to " + std::to_string(k_max_subdivisions));
-        model.subdivide = steps.value().get<std::uint32_t>();
+        model.subdivide = static_cast<std::uint32_t>(count);
     }
     if (node.has("at")) {
         const Node at = node.at("at");
@@ -324,10 +337,16 @@ SceneFile::Camera camera_of(const std::string& name, const Node& node) {
     if (node.has("eye") && has_angle) node.fail("\"eye\" excludes \"azimuth\" and \"elevation\"");
     if (node.has("fov") && node.has("ortho")) node.fail("\"fov\" excludes \"ortho\"");
     SceneFile::Camera camera{.name = name, .settings = {}, .json = node.value()};
-    for (const char* key : {"eye", "target", "up"})
+    for (const char* key : {"eye", "up"})
         if (node.has(key))
             camera.settings.push_back(
                 {std::string("--") + key, node.at(key).vector_or_word(), node.at(key).place()});
+    if (node.has("target")) {
+        const Node target = node.at("target");
+        camera.settings.push_back({"--target", target.vector(), target.place()});
+        if (node.has("eye") && node.at("eye").value() == target.value())
+            target.fail("is the same point as \"eye\"");
+    }
     for (const char* key : {"azimuth", "elevation", "fov", "ortho"})
         if (node.has(key))
             camera.settings.push_back(
@@ -350,7 +369,7 @@ std::vector<Setting> picture_of(const Node& node) {
         switch (key.kind) {
             case Kind::text: setting.value = value.text(); break;
             case Kind::number: setting.value = value.number(); break;
-            case Kind::number_or_text: setting.value = value.number_or_text(); break;
+            case Kind::number_or_word: setting.value = value.number_or_word(); break;
             case Kind::vector: setting.value = value.vector(); break;
             case Kind::on_or_off: setting.value = value.truth() ? "on" : "off"; break;
             case Kind::flag:
@@ -510,7 +529,7 @@ Json picture_json(const CLI::App& app) {
         switch (key.kind) {
             case Kind::text: json[name] = value; break;
             case Kind::number: json[name] = std::stod(value); break;
-            case Kind::number_or_text: {
+            case Kind::number_or_word: {
                 const Json number = Json::parse(value, nullptr, false);
                 json[name] = number.is_number() ? number : Json(value);
                 break;

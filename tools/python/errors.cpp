@@ -81,6 +81,11 @@ py::str message_text(std::string_view message) {
     return py::reinterpret_steal<py::str>(text);
 }
 
+void warn(const std::string& warning) {
+    if (PyErr_WarnFormat(PyExc_UserWarning, 1, "%U", message_text(warning).ptr()) != 0)
+        throw py::error_already_set();
+}
+
 void bind_errors(py::module_& module) {
     const py::handle base_class(make_exception(module, "Error",
                                                py::make_tuple(py::handle(PyExc_Exception)),

@@ -14,12 +14,16 @@
 
 #include <pybind11/pybind11.h>
 
+#include <string>
 #include <string_view>
 
 namespace rimline::python {
 
 /// Text with names of files, which are any bytes: those that are not UTF-8 are escaped, as \xNN.
 pybind11::str message_text(std::string_view message);
+
+/// A UserWarning of the caller's line. Throws where warnings are errors.
+void warn(const std::string& warning);
 
 void bind_errors(pybind11::module_& module);
 

@@ -14,6 +14,7 @@
 #include "tools/output/page_line.h"
 #include "tools/python/arrays.h"
 #include "tools/python/bound_class.h"
+#include "tools/python/errors.h"
 #include "tools/python/keywords.h"
 #include "tools/python/long_calls.h"
 #include "tools/python/mesh.h"
@@ -42,8 +43,11 @@ std::unique_ptr<BoundDrawing> draw(BoundDrawer& drawer, const py::dict& keywords
                                    const py::object& progress) {
     tools::DrawOptions options;
     parse_keywords(options.app, keywords);
-    return long_result(progress,
-                       [&](const LongCall& call) { return drawer.draw(options, follows, call); });
+    auto drawing = long_result(
+        progress, [&](const LongCall& call) { return drawer.draw(options, follows, call); });
+    if (drawing->page.lines.empty() && !follows)
+        warn("the drawing is empty: no line of these kinds is on its page");
+    return drawing;
 }
 
 std::string_view kind_name(LineKind kind) { return tools::k_line_kind_names[std::size_t(kind)]; }

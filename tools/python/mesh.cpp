@@ -33,11 +33,6 @@ struct PythonSilhouette {
     const Mesh& library_mesh() const { return mesh->mesh(); }
 };
 
-void warn(const std::string& warning) {
-    if (PyErr_WarnFormat(PyExc_UserWarning, 1, "%U", message_text(warning).ptr()) != 0)
-        throw py::error_already_set();
-}
-
 SharedMesh mesh_of_arrays(const py::object& vertices, const py::object& faces, const py::object& up,
                           const py::object& weld, const py::object& progress) {
     const Welding welding = flag_of(weld, "weld") ? Welding::equal_positions : Welding::none;

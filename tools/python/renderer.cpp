@@ -26,7 +26,8 @@ using tools::BoundRenderer;
 namespace {
 
 std::shared_ptr<BoundRenderer> make_renderer(const py::object& device, const py::object& validate) {
-    const std::string device_name = word_of(device, "device");
+    const std::string device_name =
+        py::isinstance<py::int_>(device) ? std::string(py::str(device)) : word_of(device, "device");
     const bool validates = flag_of(validate, "validate");
     // A stop leaves the device to be opened and closed.
     return long_result_apart(py::none(), [=](const LongCall&) {

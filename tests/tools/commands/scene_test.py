@@ -269,6 +269,9 @@ def test_animate_draws_scenes():
                                      "cameras": {"still": {"eye": [1, 1, 9]}}, "picture": {"ground": True}})
         look = ("--size", "96x64", "--frames", "3", "--step", "20")
         folders = [os.path.join(folder, name) for name in "abcd"]
+        # An option goes before the file: the ground follows it.
+        said = succeed("render", scene, "--up", "z", *look[:2], "-o", os.path.join(folder, "z.png"))
+        assert said["ground_up"] == [0, 0, 1]
         succeed("animate", both, "--up", "y", "--ground", *look, "-o", folders[0])
         succeed("animate", "--up", "y", one, one, "--at", "3,0,0", "--ground", *look, "-o", folders[1])
         said = succeed("animate", scene, *look, "-o", folders[2])
@@ -325,6 +328,12 @@ def test_bad_scene_files_are_errors_with_the_place():
         (changed(picture={"lighting": "threepoint"}), "scene.json:picture.lighting: expected one of {sun,three-point"),
         (changed(picture={"crease": 5}), "scene.json:picture.crease: expected a number from 10 to 180, or clear, not '5'"),
         (changed(picture={"crease": "sharp"}), "scene.json:picture.crease: expected a number from 10 to 180, or clear"),
+        (changed(picture={"crease": "30"}), "scene.json:picture.crease: expected a number or a name, not \"30\""),
+        (changed(picture={"crease": True}), "scene.json:picture.crease: expected a number or a name, not true"),
+        (changed(cameras={"a": {"eye": "3,2,4"}}), "scene.json:cameras.a.eye: expected [x, y, z] or a name"),
+        (changed(cameras={"a": {"eye": [3, 2, 4], "target": "0,0,0"}}), "scene.json:cameras.a.target: expected [x, y, z]"),
+        (changed(cameras={"a": {"eye": [3, 2, 4], "target": [3, 2, 4]}}), "scene.json:cameras.a.target: is the same point as"),
+        (changed(models=[{"model": BOX, "subdivide": 1.5}]), "scene.json:models[0].subdivide: expected a whole number"),
         (changed(picture={"silhouette-from": [9, 1, 1], "silhouette-direction": [1, 1, 1]}),
          "scene.json:picture: \"silhouette-from\" excludes \"silhouette-direction\""),
         (changed(picture={"style": "toon", "palette": "riso"}), "scene.json:picture.palette: the style toon has "),

@@ -89,14 +89,14 @@ def test_the_axis_of_an_orbit_may_be_that_along_which_the_model_stands():
         track = ["track", pyramid, "--frames", "40"]
         flips = [[frame["flips"] for frame in succeed(*track, *up)["frames"]]
                  for up in (["--up", "auto"], ["--up", "z"], ["--up", "y"], [])]
-        assert flips[0] == flips[1] != flips[2] == flips[3]
+        assert flips[3] == flips[0] == flips[1] != flips[2]
         assert "x, y, z, -x, -y, -z, auto, not 'q'" in fail(2, *track, "--up", "q")
         output = os.path.join(folder, "a.png")
         pictures = []
         for up in (["--up", "auto"], ["--up", "z"], ["--up", "y"], []):
             succeed("origins", pyramid, "-k", "1", *up, "-o", output)
             pictures.append(read_file(output))
-        assert pictures[0] == pictures[1] != pictures[2] == pictures[3]
+        assert pictures[3] == pictures[0] == pictures[1] != pictures[2]
 
 
 def test_frames_are_not_kept_as_json():

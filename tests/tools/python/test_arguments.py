@@ -140,6 +140,17 @@ def test_errors_of_files_have_the_name_of_the_file(tmp_path):
         assert str(copy) == str(error) and (copy.filename == str(path) or error.errno is None)
 
 
+def test_an_empty_drawing_is_a_warning():
+    with pytest.warns(UserWarning, match="the drawing is empty"):
+        assert not rimline.draw(BOX, lines="border").lines
+
+
+def test_a_device_may_be_a_number():
+    have_device()
+    with pytest.raises(rimline.NoDeviceError, match="99"):
+        rimline.Renderer(device=99)
+
+
 def test_a_cloud_is_not_a_mesh_and_the_message_names_its_reader(tmp_path):
     path = tmp_path / "cloud.ply"
     path.write_text("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"

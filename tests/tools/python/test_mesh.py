@@ -254,7 +254,7 @@ WRONG_ARGUMENTS = [
     (lambda: rimline.best_light(BOX, (3, 2, 4), by=1), TypeError, "by: expected a str, not int"),
     (lambda: rimline.TangentialField(BOX, 3), TypeError, "function: expected a str, not int"),
     (lambda: rimline.TangentialField(BOX, tolerance="a"), TypeError, "tolerance: expected a number, not str"),
-    (lambda: rimline.Renderer(3), TypeError, "device: expected a str, not int"),
+    (lambda: rimline.Renderer(3.5), TypeError, "device: expected a str, not float"),
     (lambda: rimline.Renderer(validate=3), TypeError, "validate: expected True or False, not int"),
 ]
 
