@@ -9,7 +9,8 @@
 // places, those whose normal is near the sun are bright, the others half bright. The score of a sun is the
 // product of
 //
-//   lit       1 where a third to two thirds of the places are lit, and less the farther their share lies outside;
+//   lit       1 where a third to two thirds of the places are lit, and less the farther their share lies outside; a
+//             picture that is too dark loses more than one that is too light;
 //   spread    the entropy of the shares of dark, half bright and bright places: low for light from beside the camera,
 //             which leaves all bright, and for light from behind;
 //   detail    the share of the detail that is lit. The detail of a place is how much its normal differs from those of
