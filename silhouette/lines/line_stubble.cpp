@@ -11,6 +11,7 @@
 
 #include "silhouette/lines/cut_part.h"
 #include "silhouette/lines/face_count.h"
+#include "silhouette/mesh/disjoint_sets.h"
 
 namespace rimline {
 
@@ -188,6 +189,31 @@ bool LineStubble::is_double(std::uint32_t stroke, const LineOptions& options) co
                 return false;
     }
     return true;
+}
+
+// Strokes that only hold each other, as the two sides of a sliver, are loose as a closed one of their length is.
+void LineStubble::find_loose_groups(const LineOptions& options) {
+    DisjointSets groups(lengths_.size());
+    for (std::uint32_t s = 0; s < lengths_.size(); ++s) {
+        const bool is_long = is_closed_[s] != 0 || lengths_[s] >= options.stubble;
+        if (is_there_[s] == 0 || is_loose_[s] != 0 || is_long) continue;
+        for (const glm::dvec2& end :
+             {segments_[first_segments_[s]].from, segments_[first_segments_[s + 1] - 1].to})
+            grid_.each_cell(end, end, [&](std::uint32_t cell) {
+                for (const std::uint32_t i : grid_.segments_in(cell)) {
+                    const std::uint32_t other = segments_[i].stroke;
+                    if (is_there_[other] != 0 && is_loose_[other] == 0 &&
+                        distance_to(segments_[i], end) <= options.gap)
+                        groups.join(s, other);
+                }
+            });
+    }
+    const std::vector<std::uint32_t> group = groups.take_numbers();
+    group_lengths_.assign(lengths_.size(), 0.0);
+    for (std::uint32_t s = 0; s < lengths_.size(); ++s)
+        if (is_there_[s] != 0 && is_loose_[s] == 0) group_lengths_[group[s]] += lengths_[s];
+    for (std::uint32_t s = 0; s < lengths_.size(); ++s)
+        if (is_there_[s] != 0 && group_lengths_[group[s]] < options.stubble) is_loose_[s] = 1;
 }
 
 // A loose stroke stays where it holds two ends of strokes that are not loose, and no other such stroke does.
@@ -423,6 +449,7 @@ void LineStubble::remove(const LineFrame& frame, const LineOptions& options, Lin
     for (bool is_done = false; !is_done;) {
         for (const std::uint32_t s : order_)
             is_loose_[s] = is_there_[s] != 0 && is_loose(s, options);
+        find_loose_groups(options);
         keep_bridges(options);
         for (const std::uint32_t s : order_) {
             if (is_loose_[s] == 0) continue;

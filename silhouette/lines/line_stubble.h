@@ -2,7 +2,8 @@
 
 // Stubble: short strokes that a pen would not draw. They come and go with the tessellation of the mesh.
 //
-//   loose   A short stroke with an end where no other stroke is; twice as long, if that is true of both ends. A
+//   loose   A short stroke with an end where no other stroke is; twice as long, if that is true of both ends. Several
+//           that hold only each other, if all together are that short. A
 //           short stroke between others, like the short edge of a plate or a piece of an outline between two folds,
 //           stays: without it, there would be a gap. So does one that two longer strokes end at, and one with a part
 //           of the outline, which has nothing behind it on one side: an outline has no gaps.
@@ -55,6 +56,7 @@ private:
 
     void fill(double gap, const LineDrawing& drawing);
     bool is_loose(std::uint32_t stroke, const LineOptions& options) const;
+    void find_loose_groups(const LineOptions& options);
     void keep_bridges(const LineOptions& options);
     bool is_at_outline(std::uint32_t stroke, const LineFrame& frame, const LineOptions& options,
                        const OutlineTest& test) const;
@@ -84,7 +86,7 @@ private:
     PictureGrid grid_;
     std::vector<Segment> segments_;
     std::vector<std::uint32_t> first_segments_;  // Of each stroke, and one more.
-    std::vector<double> lengths_;
+    std::vector<double> lengths_, group_lengths_;
     std::vector<std::uint8_t> is_closed_, is_there_, is_loose_, stays_;
     enum class Answer : std::uint8_t { unknown, no, yes };
     static Answer answer(bool is_so) noexcept { return is_so ? Answer::yes : Answer::no; }

@@ -308,6 +308,21 @@ TEST_CASE("a stroke with two loose ends goes if it is shorter than twice the stu
     CHECK(strokes.keep({horizontal(0.11, 1.9, 0), vertical(0, -5, 5)}).count == 1);
 }
 
+TEST_CASE("short strokes that hold only each other go as one closed stroke of their length does") {
+    const StrokesBeforeSquare strokes;
+    // Two sides of a sliver, 0.3 wide, that touch at both ends.
+    const auto sliver = [](double length) {
+        return std::vector<Polyline>{{{0, 0}, {0.5 * length, 0.15}, {length, 0}},
+                                     {{0, 0}, {0.5 * length, -0.15}, {length, 0}}};
+    };
+    CHECK(strokes.keep(sliver(0.3)).count == 0);
+    CHECK(strokes.keep(sliver(0.6)).count == 2);
+    // A longer stroke holds them.
+    std::vector<Polyline> held = sliver(0.3);
+    held.push_back(horizontal(0.3, 5, 0));
+    CHECK(strokes.keep(held).count == 3);
+}
+
 TEST_CASE("a short stroke between two long ones stays") {
     const StrokesBeforeSquare strokes;
     CHECK(
