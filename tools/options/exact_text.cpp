@@ -1,9 +1,10 @@
 #include "tools/options/exact_text.h"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <string_view>
+
+#include "silhouette/printable_text.h"
 
 namespace rimline::tools {
 
@@ -36,12 +37,12 @@ std::string quoted_for_shell(const std::string& text) {
     constexpr std::string_view k_plain =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_@%+=:,./-";
     if (!text.empty() && text.find_first_not_of(k_plain) == std::string::npos) return text;
-    if (std::ranges::any_of(text, [](unsigned char c) { return c < 0x20 || c == 0x7f; })) {
+    if (printable_text(text) != text) {
         // As bash, zsh and ksh read it.
         std::string quoted = "$'";
         for (const char c : text) {
             const auto byte = static_cast<unsigned char>(c);
-            if (byte < 0x20 || byte == 0x7f) {
+            if (byte < 0x20 || byte >= 0x7f) {
                 quoted.append("\\").append(1, char('0' + (byte >> 6)));
                 quoted.append(1, char('0' + (byte >> 3 & 7))).append(1, char('0' + (byte & 7)));
             } else {

@@ -13,7 +13,7 @@ std::string exact_text(double value);
 /// Three such numbers with commas between them.
 std::string vector_text(const glm::vec3& v);
 
-/// `text` as one word of a POSIX shell.
+/// `text` as one word of a POSIX shell. Printable: where `text` is not (printable_text.h), its bytes are in octal.
 std::string quoted_for_shell(const std::string& text);
 
 }  // namespace rimline::tools

@@ -35,6 +35,10 @@ TEST_CASE("a word for the shell is quoted where it must be") {
     // Bytes that no terminal shows, as bash reads them.
     CHECK(quoted_for_shell("a\nb\x7f") == "$'a\\012b\\177'");
     CHECK(quoted_for_shell("\t'\\x") == "$'\\011\\'\\\\x'");
+    CHECK(quoted_for_shell("\xc3\xa4") == "'\xc3\xa4'");
+    CHECK(quoted_for_shell("a\xff"
+                           "1.obj") == "$'a\\3771.obj'");    // No UTF-8.
+    CHECK(quoted_for_shell("\xc2\x85") == "$'\\302\\205'");  // A control character of UTF-8.
 }
 
 }  // namespace
