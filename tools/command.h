@@ -14,6 +14,7 @@
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "silhouette/error.h"
@@ -38,6 +39,14 @@ enum class ExitStatus : int {
 class UsageError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
+    /// `command`: the one whose --help tells more, such as "draw". Empty: the one that runs.
+    UsageError(const std::string& what, std::string command)
+        : std::runtime_error(what), command_(std::move(command)) {}
+
+    const std::string& command() const noexcept { return command_; }
+
+private:
+    std::string command_;
 };
 
 /// The common input of all commands.

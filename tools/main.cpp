@@ -106,9 +106,15 @@ bool take_names(std::vector<std::string>& arguments, std::vector<std::string>::i
     return has_changed;
 }
 
-ExitStatus report_usage(const std::string& message, const CLI::App& app) {
+// `command`: the one whose help tells more; empty: the one that was parsed.
+ExitStatus report_usage(const std::string& message, const CLI::App& app,
+                        const std::string& command = {}) {
     std::string help;
-    for (const CLI::App* named : rimline::tools::parsed_chain(app)) help += named->get_name() + " ";
+    if (command.empty())
+        for (const CLI::App* named : rimline::tools::parsed_chain(app))
+            help += named->get_name() + " ";
+    else
+        help = app.get_name() + " " + command + " ";
     print_error(message + " (see " + help + "--help)");
     return ExitStatus::wrong_usage;
 }
@@ -142,6 +148,8 @@ public:
 private:
     void add_shared_options(CLI::App& sub, bool has_json);
     std::optional<ExitStatus> parse(std::vector<std::string> arguments);
+    // The name of a subcommand after other words, none of which is --. Empty if there is none.
+    std::string undivided_rest(const std::vector<std::string>& words) const;
     ExitStatus report_parse_error(const CLI::ParseError& error, bool has_dashed_names);
     ExitStatus print(const std::string& text);
     ExitStatus run_command(std::stop_token stop);
@@ -224,6 +232,7 @@ std::optional<ExitStatus> Program::parse(std::vector<std::string> arguments) {
     const bool has_value = first != arguments.begin() && first != arguments.end() &&
                            *std::prev(first) == "--completion";
     bool has_dashed_names = false;
+    std::string undivided;
     if (first != arguments.end() && !has_value) {
         const auto command = command_of(*first);
         if (command == commands_.end())
@@ -236,15 +245,26 @@ std::optional<ExitStatus> Program::parse(std::vector<std::string> arguments) {
             arguments.erase(rest, arguments.end());
         } else if (rest != arguments.end()) {
             has_dashed_names = take_names(arguments, rest);
+        } else if ((*command)->takes_rest()) {
+            undivided = undivided_rest({std::next(first), arguments.end()});
         }
     }
     std::ranges::reverse(arguments);  // The order that CLI11 expects.
     try {
         app_.parse(std::move(arguments));
     } catch (const CLI::ParseError& e) {
-        return report_parse_error(e, has_dashed_names);
+        if (undivided.empty() || e.get_exit_code() == 0)
+            return report_parse_error(e, has_dashed_names);
     }
-    return std::nullopt;
+    if (undivided.empty()) return std::nullopt;
+    return report_usage("-- is missing before the subcommand '" + undivided + "'", app_);
+}
+
+std::string Program::undivided_rest(const std::vector<std::string>& words) const {
+    for (std::size_t i = 1; i < words.size(); ++i)
+        if (command_of(words[i]) != commands_.end() && !words[i - 1].starts_with('-'))
+            return words[i];
+    return {};
 }
 
 ExitStatus Program::report_parse_error(const CLI::ParseError& error, bool has_dashed_names) {
@@ -299,7 +319,7 @@ ExitStatus Program::run_command(std::stop_token stop) {
         if (verbose_) std::fputs(context.times.table().c_str(), stderr);
         return status;
     } catch (const UsageError& e) {
-        return report_usage(e.what(), app_);
+        return report_usage(e.what(), app_, e.command());
     }
 }
 

@@ -74,6 +74,11 @@ private:
             take(file.string(), file.lexically_relative(folder).generic_string());
     }
 
+    // As ._model.obj, in which macOS keeps what other file systems cannot of model.obj, and .git.
+    static bool is_hidden(const fs::path& path) {
+        return path.filename().native().starts_with('.');
+    }
+
     // Finds the models below a folder, and the links to folders there, which are not followed.
     void walk(const fs::path& folder, std::set<fs::path>& entered, std::vector<fs::path>& files,
               std::vector<fs::path>& links) {
@@ -88,6 +93,7 @@ private:
             fs::directory_iterator entry(next, error);
             for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
                 call_.checkpoint(0.0);
+                if (is_hidden(entry->path())) continue;
                 if (entry->is_directory(unreadable))
                     (entry->is_symlink(unreadable) ? links : folders).push_back(entry->path());
                 else if (is_model_file_name(entry->path()) &&
@@ -99,6 +105,9 @@ private:
     }
 
     void add_list(const std::string& name) {
+        std::error_code unreadable;
+        if (fs::is_directory(name, unreadable))
+            throw Error(ErrorCode::io, name + ": this is a folder, no list: name it without the @");
         std::ifstream list(name);
         if (!list) throw Error(ErrorCode::io, name + ": cannot read: there is no such list");
         std::string line;
@@ -134,6 +143,11 @@ private:
 std::string BatchInput::stem() const { return fs::path(name).stem().string(); }
 std::string BatchInput::file() const { return fs::path(name).filename().string(); }
 std::string BatchInput::path() const { return fs::path(name).replace_extension().generic_string(); }
+
+std::string BatchInput::ext() const {
+    const std::string ending = fs::path(name).extension().string();
+    return ending.empty() ? ending : ending.substr(1);
+}
 
 bool Shard::contains(const BatchInput& input) const noexcept {
     return fnv1a(input.name.data(), input.name.size()) % count == number - 1;

@@ -19,6 +19,7 @@ struct BatchInput {
     std::string stem() const;  ///< Of the file, without folder and ending.
     std::string file() const;  ///< The same with its ending.
     std::string path() const;  ///< `name` without the ending.
+    std::string ext() const;   ///< The ending without its dot. Empty for shapes.
 };
 
 /// One of `count` parts. A model is always in the same one, whatever other models there are.

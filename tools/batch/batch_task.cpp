@@ -18,7 +18,9 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 4> k_output_options{"-o", "--output", "--save-scene",
                                                            "--export"};
 
-constexpr std::array<std::string_view, 4> k_batch_places{"{stem}", "{name}", "{path}", "{out}"};
+constexpr std::array<std::string_view, 5> k_batch_places{"{stem}", "{name}", "{path}", "{ext}",
+                                                         "{out}"};
+using PlaceValues = std::array<std::string, k_batch_places.size()>;
 
 void sort_unique(std::vector<std::string>& names) {
     std::ranges::sort(names);
@@ -26,7 +28,7 @@ void sort_unique(std::vector<std::string>& names) {
 }
 
 // The text with each place in it filled, from left to right: what is filled in is not looked at again.
-std::string filled(const std::string& text, const std::array<std::string, 4>& values) {
+std::string filled(const std::string& text, const PlaceValues& values) {
     std::string result;
     for (std::size_t at = 0; at < text.size();) {
         const auto found = std::ranges::find_if(k_batch_places, [&](std::string_view place) {
@@ -67,13 +69,34 @@ std::string unambiguous_text(const std::string& text) {
 }  // namespace
 
 std::string unknown_batch_place(const std::string& text) {
+    constexpr std::string_view k_word_letters =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_";
     for (std::size_t at = text.find('{'); at != std::string::npos; at = text.find('{', at + 1)) {
-        const std::size_t end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz", at + 1);
+        const std::size_t end = text.find_first_not_of(k_word_letters, at + 1);
         if (end == std::string::npos || text[end] != '}' || end == at + 1) continue;
         const std::string place = text.substr(at, end + 1 - at);
         if (std::ranges::find(k_batch_places, place) == k_batch_places.end()) return place;
     }
     return {};
+}
+
+std::vector<std::string> batch_output_words(const std::vector<std::string>& subcommand) {
+    std::vector<std::string> words;
+    for (std::size_t i = 1; i < subcommand.size(); ++i)
+        if (std::string word = output_in(subcommand[i], subcommand[i - 1]); !word.empty())
+            words.push_back(std::move(word));
+    return words;
+}
+
+std::string advice_for_two(const BatchInput& one, const BatchInput& other,
+                           const std::string& word) {
+    const auto has = [&](std::string_view place) { return word.find(place) != std::string::npos; };
+    if (one.path() != other.path() && !has("{path}"))
+        return has("{stem}") ? "use {path} in it in place of {stem}" : "use {path} in it";
+    if (one.ext() != other.ext() && !has("{ext}") && !has("{name}"))
+        return std::string("use {ext} in it too, as ") +
+               (has("{stem}") && !has("{path}") ? "{stem}.{ext}" : "{path}.{ext}");
+    return "name one folder above both, or do them in two batches";
 }
 
 BatchTask make_batch_task(const BatchInput& input, const std::vector<std::string>& subcommand,
@@ -86,12 +109,11 @@ BatchTask make_batch_task(const BatchInput& input, const std::vector<std::string
     // A name is no option.
     if (input.model.starts_with('-')) task.arguments.back() = "./" + input.model;
     // By k_batch_places.
-    const std::array<std::string, 4> values{input.stem(), input.file(), input.path(), folder};
-    for (std::size_t i = 1; i < subcommand.size(); ++i) {
+    const PlaceValues values{input.stem(), input.file(), input.path(), input.ext(), folder};
+    for (std::size_t i = 1; i < subcommand.size(); ++i)
         task.arguments.push_back(filled(subcommand[i], values));
-        std::string output = output_in(task.arguments.back(), subcommand[i - 1]);
-        if (!output.empty()) task.outputs.push_back(std::move(output));
-    }
+    for (const std::string& word : batch_output_words(subcommand))
+        task.outputs.push_back(filled(word, values));
     for (const std::string& word : task.arguments)
         task.command += (task.command.empty() ? "" : " ") + unambiguous_text(word);
     return task;

@@ -22,6 +22,7 @@
 #include "tools/batch/batch_merge.h"
 #include "tools/batch/batch_page.h"
 #include "tools/batch/batch_process.h"
+#include "tools/batch/batch_subcommand.h"
 #include "tools/batch/batch_task.h"
 #include "tools/command.h"
 #include "tools/options/exact_text.h"
@@ -37,10 +38,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Commands that take a model and end by themselves.
-constexpr std::array<std::string_view, 13> k_batch_commands{
-    "render", "animate", "info",    "silhouette", "draw",   "track",  "views",
-    "path",   "light",   "origins", "field",      "points", "convert"};
 constexpr std::chrono::milliseconds k_poll{5};
 
 class BatchCommand final : public Command {
@@ -92,10 +89,18 @@ public:
         app.add_flag("--retry", retries_, "Do again what failed in an earlier run")
             ->group("Machine");
         app.footer(
+            "A folder stands for the .obj, .ply, .stl, .off, .gltf, .glb, .xyz, .pts and .csv "
+            "files in it "
+            "and its\n"
+            "subfolders, through links too, without names that begin with a dot. The names in a "
+            "list are relative "
+            "to\n"
+            "the working directory.\n\n"
             "After -- comes a subcommand with its options, without the model. In these stand\n"
             "  {stem}  the name of the model's file without its ending\n"
             "  {name}  with its ending\n"
             "  {path}  within its folder or list, without its ending\n"
+            "  {ext}   its ending without the dot; nothing for shapes\n"
             "  {out}   the folder of --output\n\n"
             "Each model runs in a process of its own. The manifest, manifest.jsonl in the folder, "
             "gets a\n"
@@ -117,7 +122,7 @@ public:
 
     ExitStatus run(const Context& context) override {
         check_page();
-        check_subcommand();
+        check_batch_subcommand(rest_);
         const std::vector<BatchTask> tasks = make_tasks(context);
         context.times.end("finding models");
         if (is_dry_ && !fs::exists(manifest_path())) {
@@ -157,10 +162,14 @@ private:
             call.checkpoint(double(&task - tasks.data()) / double(tasks.size()));
             const BatchEntry* const entry = manifest.find(task.key);
             const bool is_failed = entry != nullptr && entry->status != "ok";
-            if (!is_done(task, manifest, call))
+            if (!is_done(task, manifest, call)) {
                 (is_failed ? failed : left).push_back(&task);
-            else
-                ++(is_failed ? failed_before_ : skipped_);
+            } else if (is_failed) {
+                ++failed_before_;
+                add_failure(failures_before_, task, entry->error);
+            } else {
+                ++skipped_;
+            }
         }
         left.insert(left.end(), failed.begin(), failed.end());
         context.times.end("reading models");
@@ -215,11 +224,6 @@ private:
                                            (error ? error.message() : "a file has its name"));
     }
 
-    // Subcommands that write a file, with a name of their own, where none is given.
-    static bool writes_without_output(std::string_view subcommand) {
-        return subcommand == "render" || subcommand == "draw" || subcommand == "animate";
-    }
-
     // A name that a shell made of a pattern may be a model.
     void check_page() const {
         const std::string ending = fs::path(page_).extension().string();
@@ -227,28 +231,9 @@ private:
             throw UsageError("--page: expected a name that ends in .html, not '" + page_ + "'");
     }
 
-    void check_subcommand() const {
-        if (rest_.empty())
-            throw UsageError(
-                "no subcommand: after the models comes -- and a subcommand, as -- info");
-        if (std::ranges::find(k_batch_commands, rest_.front()) == k_batch_commands.end())
-            throw UsageError("after -- comes a subcommand that takes a model, not '" +
-                             rest_.front() + "'");
-        for (const std::string& word : rest_) {
-            if (word == "--")
-                throw UsageError(
-                    "a second -- : the models stand before the first one, and the subcommand's "
-                    "options after it");
-            if (word == "--help" || word == "-h")
-                throw UsageError("rimline " + rest_.front() + " --help describes its options");
-            if (const std::string place = unknown_batch_place(word); !place.empty())
-                throw UsageError(place + " in '" + word +
-                                 "': expected {stem}, {name}, {path} or {out}");
-        }
-    }
-
     std::vector<BatchTask> make_tasks(const Context& context) const {
         Progress progress(context, "finding models");
+        const std::vector<std::string> words = batch_output_words(rest_);
         std::vector<BatchTask> tasks;
         std::map<std::string, const BatchInput*> of_output;
         const std::vector<BatchInput> inputs =
@@ -256,18 +241,13 @@ private:
         if (inputs.empty()) throw Error(ErrorCode::bad_input, "no model among what was given");
         for (const BatchInput& input : inputs) {
             BatchTask task = make_batch_task(input, rest_, folder_);
-            if (task.outputs.empty() && writes_without_output(rest_.front()))
-                throw UsageError("after -- " + rest_.front() +
-                                 " needs -o, as -o {out}/{path}.png: else all models would write "
-                                 "one file");
             // Those of other shards too.
-            for (const std::string& output : task.outputs) {
-                const auto [other, is_first] = of_output.try_emplace(output, &input);
+            for (std::size_t i = 0; i < task.outputs.size(); ++i) {
+                const auto [other, is_first] = of_output.try_emplace(task.outputs[i], &input);
                 if (is_first || other->second == &input) continue;
                 throw UsageError(other->second->model + " and " + input.model +
-                                 " would both write " + output +
-                                 ": use {path} in it, of one folder above both, or {name}, or "
-                                 "batches of their own");
+                                 " would both write " + task.outputs[i] + ": " +
+                                 advice_for_two(*other->second, input, words[i]));
             }
             if (shard_.contains(input)) tasks.push_back(std::move(task));
         }
@@ -357,7 +337,8 @@ private:
         const bool all_are = usage != kinds_.end() && usage->second == done_ && skipped_ == 0 &&
                              usage_errors_.size() == 1;
         if (all_are && (is_last || done_ >= k_tried))
-            throw UsageError("of the subcommand: " + without_advice(words_of(end.error)));
+            throw UsageError("of the subcommand: " + without_advice(words_of(end.error)),
+                             rest_.front());
     }
 
     // Returns what is wrong with one; empty: nothing.
@@ -389,7 +370,7 @@ private:
         running.push_back({&task, digest, std::make_unique<BatchProcess>(arguments, limits)});
     }
 
-    // Without "(see rimline draw --help)" at its end: the batch's own follows.
+    // Without "(see rimline draw --help)" at its end, which is added again.
     static std::string without_advice(std::string error) {
         const std::size_t advice = error.rfind(" (see rimline ");
         if (advice != std::string::npos) error.erase(advice);
@@ -425,8 +406,13 @@ private:
 
     void count_failure(const BatchTask& task, const std::string& kind, const std::string& error) {
         ++kinds_[kind];
-        if (first_failures_.size() < k_named_failures)
-            first_failures_.push_back(with_name(task.input.model, error));
+        add_failure(first_failures_, task, error);
+    }
+
+    static void add_failure(std::vector<std::string>& failures, const BatchTask& task,
+                            const std::string& error) {
+        if (failures.size() < k_named_failures)
+            failures.push_back(with_name(task.input.model, error));
     }
 
     // Most messages of subcommands begin with the name of the file, as print_error() writes it.
@@ -477,13 +463,20 @@ private:
                 command += ' ';
                 command += quoted_for_shell(word);
             }
-            std::printf("%s\n", printable_text(command).c_str());
+            std::printf("%s\n", command.c_str());
         }
         std::fprintf(stderr, "%zu of %zu models left to do", left.size(), tasks.size());
         if (mean_ms > 0.0)
             std::fprintf(stderr, ", about %.0f s by the times of those done", estimate_s);
         std::fputc('\n', stderr);
         return ExitStatus::success;
+    }
+
+    static void print_failures(const std::vector<std::string>& first, std::size_t count) {
+        for (const std::string& failure : first)
+            std::printf("    %s\n", printable_text(failure).c_str());
+        if (count > first.size())
+            std::printf("    and %zu more, in the manifest\n", count - first.size());
     }
 
     ExitStatus print_result(const Context& context, const std::vector<BatchTask>& tasks) const {
@@ -497,6 +490,7 @@ private:
                                  {"failed", failed},
                                  {"kinds", kinds_},
                                  {"failures", first_failures_},
+                                 {"failures_before", failures_before_},
                                  {"left", left_},
                                  {"manifest", manifest_path().string()}});
         } else {
@@ -506,10 +500,10 @@ private:
                 tasks.size(), done_ - failed, skipped_, failed, failed_before_);
             for (const auto& [kind, count] : kinds_)
                 std::printf("  %-11s %zu\n", kind.c_str(), count);
-            for (const std::string& failure : first_failures_)
-                std::printf("    %s\n", printable_text(failure).c_str());
-            if (failed > first_failures_.size())
-                std::printf("    and %zu more, in the manifest\n", failed - first_failures_.size());
+            print_failures(first_failures_, failed);
+            if (failed_before_ > 0)
+                std::printf("  before      %zu failed; --retry does them again\n", failed_before_);
+            print_failures(failures_before_, failed_before_);
             if (left_ > 0) std::printf("  left        %zu\n", left_);
             std::printf("  time        %s\n", context.times.sentence().c_str());
         }
@@ -521,7 +515,7 @@ private:
         }
         print_error(std::to_string(failed + failed_before_) + " of " +
                     std::to_string(tasks.size()) + " models failed: " + manifest_path().string() +
-                    " says why");
+                    " says why" + (failed_before_ > 0 ? "; --retry does what failed again" : ""));
         return ExitStatus::failed;
     }
 
@@ -537,7 +531,7 @@ private:
     std::size_t skipped_ = 0, failed_before_ = 0, done_ = 0, left_ = 0;
     std::map<std::string, std::size_t> kinds_;  // Of failures.
     std::set<std::string> usage_errors_;
-    std::vector<std::string> first_failures_;
+    std::vector<std::string> first_failures_, failures_before_;
 };
 
 }  // namespace

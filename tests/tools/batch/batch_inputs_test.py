@@ -99,3 +99,20 @@ def test_models_have_the_names_of_folders_and_not_of_links_to_them():
         succeed(str(root), "-o", f"{folder}/out", "--", "info")
         names = {os.path.relpath(line["input"], root) for line in entries(f"{folder}/out/manifest.jsonl")}
         assert names == {"real/a.obj", "z/deep/a.obj", "a/b.obj"}, names
+
+
+def test_hidden_files_of_a_folder_are_no_models():
+    with tempfile.TemporaryDirectory() as folder:
+        root = models(folder, 2)
+        (root / ".hidden").mkdir()
+        for name in ("._m0.obj", ".m.obj", ".hidden/m.obj"):
+            (root / name).write_text("no model\n")
+        assert succeed(str(root), "-o", f"{folder}/out", "--", "info")["models"] == 2
+        # One that is named itself is.
+        (root / ".hidden/m.obj").write_text(TRIANGLE)
+        assert succeed(f"{root}/.hidden", "-o", f"{folder}/out", "--", "info")["models"] == 1
+
+
+def test_a_folder_is_no_list():
+    with tempfile.TemporaryDirectory() as folder:
+        assert f"{folder}: this is a folder, no list" in fail(1, "batch", f"@{folder}", "--", "info")
