@@ -8,6 +8,7 @@
 
 #include "silhouette/mesh/formats/byte_scanner.h"
 #include "silhouette/mesh/formats/text_scanner.h"
+#include "silhouette/mesh/formats/wrapped_content.h"
 
 namespace rimline {
 
@@ -49,6 +50,8 @@ bool is_point_text_name(std::string_view extension) {
 FileFormat format_of(const SourceFile& file, const std::string& extension) {
     if (is_sized_as_binary_stl(file.bytes)) return FileFormat::stl_binary;
     if (file.bytes.starts_with("glTF")) return FileFormat::glb;
+    if (const std::string_view what = wrapped_content(file.bytes); !what.empty())
+        bad_file(file.name, std::string(what));
     const std::string_view bytes = file.text();
     if (begins_as_ply(bytes)) return FileFormat::ply;
 

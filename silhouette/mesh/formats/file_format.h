@@ -11,8 +11,8 @@ namespace rimline {
 
 enum class FileFormat { ply, stl_text, stl_binary, off, obj, gltf, glb, point_text };
 
-/// Reads a file and finds its format. Throws Error{io}, or Error{bad_input} for an empty file or an
-/// unknown format.
+/// Reads a file and finds its format. Throws Error{io}, or Error{bad_input} for an empty file, an unknown format or
+/// wrapped_content().
 struct KnownFile {
     KnownFile(const std::filesystem::path& path, const LongCall& call);
     /// The same for bytes that were read already. `extension`, with its point and in lower case, stands for that

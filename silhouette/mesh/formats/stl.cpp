@@ -91,12 +91,19 @@ MeshSource read_stl_binary(const SourceFile& file, BadPoints bad, const LongCall
     ByteScanner scanner(file.name, file.bytes, k_header_bytes, std::endian::little);
     const auto count =
         static_cast<std::uint64_t>(scanner.integer(ScalarType::uint32, "the facet count"));
-    if (count * k_facet_bytes != scanner.remaining())
+    const std::uint64_t facets_bytes = count * k_facet_bytes;
+    // Refused: some programs write more facets than they count, others data of their own. Readers that take such files
+    // disagree on what is in them.
+    if (facets_bytes < scanner.remaining())
+        bad_byte(file.name, k_header_bytes + 4 + facets_bytes,
+                 std::to_string(count) + " facets are declared, and too many bytes follow them: " +
+                     std::to_string(scanner.remaining() - facets_bytes) +
+                     "; the file is damaged or not STL");
+    if (facets_bytes != scanner.remaining())
         bad_byte(file.name, k_header_bytes,
                  std::to_string(count) + " facets are declared, which take " +
-                     std::to_string(k_header_bytes + 4 + count * k_facet_bytes) +
-                     " bytes; the file has " + std::to_string(size) +
-                     " and is truncated, damaged or not STL");
+                     std::to_string(k_header_bytes + 4 + facets_bytes) + " bytes; the file has " +
+                     std::to_string(size) + " and is truncated, damaged or not STL");
     if (3 * count > k_max_file_vertices)
         throw Error(ErrorCode::too_large, file.name + ": more than 2^32 vertices");
     source.positions.reserve(3 * count);

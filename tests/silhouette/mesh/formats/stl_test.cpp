@@ -44,8 +44,9 @@ TEST_CASE("STL: what is wrong is named with its line or byte") {
 
     std::string bytes = sample_stl_binary();
     CHECK(has(error(bytes + "x"),
-              "a.stl: byte 80: 5 facets are declared, which take 334 bytes; "
-              "the file has 335"));
+              "a.stl: byte 334: 5 facets are declared, and too many bytes follow them: 1;"));
+    CHECK(has(error(bytes.substr(0, 333)),
+              "a.stl: byte 80: 5 facets are declared, which take 334 bytes; the file has 333"));
     CHECK(has(error(sample_stl_binary("solid").substr(0, 300)), "a.stl: byte 80: 5 facets"));
     bytes.replace(84 + 12, 4, std::string("\0\0\xc0\x7f", 4));
     CHECK(has(error(bytes), "a.stl: byte 96: a vertex's coordinate is not a finite number"));
