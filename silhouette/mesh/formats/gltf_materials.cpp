@@ -98,16 +98,22 @@ std::optional<glm::vec3> base_color(const GltfPlace& pbr, const char* key) {
     return clamped_color(glm::vec3(numbers[0], numbers[1], numbers[2]));
 }
 
-// Of what a color leaves of the surface, where the material lets it count. A texture's alpha is not looked at.
-bool is_translucent(const GltfPlace& material, const std::optional<GltfPlace>& model,
-                    const char* factor_key) {
+// Why a surface is not opaque; empty if it is. The alpha of a texture's pixels is not known here: a material that is cut
+// out by it says so, one that blends with it may have a texture without alpha.
+std::string transparency(const GltfPlace& material, const std::optional<GltfPlace>& model,
+                         const char* factor_key, const char* texture_key) {
     const auto mode = material.find("alphaMode");
-    const auto factor = model ? model->find(factor_key) : std::nullopt;
-    if (!mode || !factor) return false;
-    const double alpha = factor->numbers<4>()[3];
-    if (mode->string() == "BLEND") return alpha < 1.0;
-    const auto cutoff = material.find("alphaCutoff");
-    return mode->string() == "MASK" && alpha < (cutoff ? cutoff->number() : 0.5);
+    if (!mode || !model) return {};
+    const auto factor = model->find(factor_key);
+    const double alpha = factor ? factor->numbers<4>()[3] : 1.0;
+    const bool is_mask = mode->string() == "MASK";
+    const auto cutoff_place = material.find("alphaCutoff");
+    const double cutoff = cutoff_place ? cutoff_place->number() : 0.5;
+    if ((mode->string() == "BLEND" && alpha < 1.0) || (is_mask && alpha < cutoff))
+        return "the material is translucent";
+    if (is_mask && cutoff > 0.0 && model->find(texture_key))
+        return "the material is cut out by the alpha of its texture";
+    return {};
 }
 
 class MaterialReader {
@@ -130,11 +136,11 @@ public:
                                              richness(glossy, "diffuseFactor", "diffuseTexture");
         const auto& model = is_glossy ? glossy : pbr;
         const char* factor = is_glossy ? "diffuseFactor" : "baseColorFactor";
-        if (is_translucent(place, model, factor))
-            add_warning(scene_.warnings,
-                        place.message("the material is translucent; it is taken as opaque"));
+        const char* texture = is_glossy ? "diffuseTexture" : "baseColorTexture";
+        if (const std::string why = transparency(place, model, factor, texture); !why.empty())
+            add_warning(scene_.warnings, place.message(why + "; it is taken as opaque"));
         if (!model) return {};
-        return material_of(*model, factor, is_glossy ? "diffuseTexture" : "baseColorTexture");
+        return material_of(*model, factor, texture);
     }
 
 private:

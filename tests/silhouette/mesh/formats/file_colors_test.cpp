@@ -129,6 +129,31 @@ TEST_CASE("OBJ and glTF: a translucent material is taken as opaque with a warnin
     }
 }
 
+TEST_CASE("glTF: a material that is cut out by its texture is taken as opaque with one warning") {
+    const auto warnings_of = [](const std::string& mode, const std::string& model) {
+        std::vector<std::string> warnings;
+        for (const std::string& warning :
+             read_text("a.gltf", strips({R"(}, "material": 0})"}, R"([{"pbrMetallicRoughness": {)" +
+                                                                      model + "}" + mode + "}]"))
+                 .warnings)
+            if (has(warning, "taken as opaque")) warnings.push_back(warning);
+        return warnings;
+    };
+    const std::string texture = R"("baseColorTexture": {"index": 0})";
+    const std::string clear = R"(, "baseColorFactor": [1, 1, 1, 0.2])";
+    const std::string mask = R"(, "alphaMode": "MASK")";
+    CHECK(warnings_of("", texture).empty());
+    CHECK(warnings_of(R"(, "alphaMode": "BLEND")", texture).empty());
+    CHECK(warnings_of(mask, "").empty());
+    CHECK(warnings_of(mask + R"(, "alphaCutoff": 0)", texture).empty());
+    for (const std::string& model : {texture, texture + clear}) {
+        const std::vector<std::string> warnings = warnings_of(mask, model);
+        REQUIRE(warnings.size() == 1);
+        const char* why = model == texture ? "cut out by the alpha of its texture" : "translucent";
+        CHECK(has(warnings[0], std::string("a.gltf: materials[0]: the material is ") + why));
+    }
+}
+
 TEST_CASE("OBJ: keywords and options of libraries may have letters of any case but names may not") {
     const std::string obj =
         k_flat_square + "mtllib colors.mtl\nusemtl Red\nf 1 2 3\nusemtl red\nf 1 2 3\n";
