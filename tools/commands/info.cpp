@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "silhouette/mesh/edge_visibility.h"
+#include "silhouette/mesh/formats/mesh_file.h"
 #include "silhouette/mesh/formats/point_file.h"
 #include "silhouette/mesh/mesh.h"
 #include "silhouette/points/neighbor_lists.h"
@@ -192,7 +193,8 @@ public:
 
     ExitStatus run(const Context& context) override {
         std::optional<PointSource> points;
-        const MeshSource source = load(points, context);
+        MeshSource source = load(points, context);
+        if (!source.materials.textures.empty()) check_pictures(source, context);
         std::optional<CloudFacts> cloud;
         if (points) cloud = cloud_facts(std::move(*points), context);
         const Mesh mesh = make_mesh(model_.model, source, context);
@@ -261,12 +263,24 @@ private:
                 });
             return source;
         }
-        return follow_progress(context, [&](const BeginCall& begin) {
+        MeshSource source = follow_progress(context, [&](const BeginCall& begin) {
             MeshOrCloud either =
                 read_either_from_standard_input(model_.format, begin("reading standard input"));
             points = std::move(either.cloud);
             return subdivided(model_.model, std::move(either.mesh), model_.subdivide, begin);
         });
+        for (const std::string& warning : source.warnings) print_warning(warning);
+        return source;
+    }
+
+    // The warnings are of what other commands would draw or copy.
+    void check_pictures(MeshSource& source, const Context& context) const {
+        const std::size_t printed = source.warnings.size();  // load() has printed these.
+        Progress progress(context, "reading the textures of " + model_.model);
+        check_textures(source, progress.call());
+        for (std::size_t i = printed; i < source.warnings.size(); ++i)
+            print_warning(source.warnings[i]);
+        context.times.end("reading textures");
     }
 
     CloudFacts cloud_facts(PointSource points, const Context& context) const {

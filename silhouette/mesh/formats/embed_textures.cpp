@@ -1,16 +1,31 @@
 #include "silhouette/mesh/formats/embed_textures.h"
 
 #include <map>
+#include <new>
+#include <span>
 #include <utility>
 
 #include "silhouette/mesh/formats/file_colors.h"
 #include "silhouette/mesh/formats/source_file.h"
+#include "silhouette/mesh/formats/wrapped_content.h"
+#include "silhouette/picture.h"
 
 namespace rimline {
 
 namespace {
 
 using Bytes = std::shared_ptr<const std::string>;
+
+void warn_of_damage(const std::string& bytes, const std::string& name,
+                    std::vector<std::string>& warnings) {
+    try {
+        decode_picture(std::as_bytes(std::span<const char>(bytes)));
+    } catch (const Error& e) {
+        add_warning(warnings, name + e.what() + "; it is copied as it is");
+    } catch (const std::bad_alloc&) {
+        // Too large to look into here. Copies need less.
+    }
+}
 
 // Null, with a warning, if it cannot be used.
 Bytes read_texture(const MaterialTexture& texture, const LongCall& call,
@@ -26,8 +41,12 @@ Bytes read_texture(const MaterialTexture& texture, const LongCall& call,
             name = file.name + ": ";
             bytes = std::make_shared<const std::string>(std::move(file.bytes));
         }
-        if (picture_mime_type(*bytes)) return bytes;
-        warn(name + "it is neither PNG nor JPEG");
+        if (picture_mime_type(*bytes)) {
+            warn_of_damage(*bytes, texture.place + ": " + name, warnings);
+            return bytes;
+        }
+        const std::string_view what = wrapped_content(*bytes);
+        warn(name + (what.empty() ? "it is neither PNG nor JPEG" : std::string(what)));
     } catch (const Error& e) {
         if (e.code() == ErrorCode::cancelled) throw;
         warn(e.what());

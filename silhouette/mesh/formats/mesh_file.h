@@ -65,4 +65,7 @@ std::string lost_shape_warning(const std::string& name, std::span<const glm::vec
 /// Error{cancelled}. Cost: O(bytes of the files + pixels).
 void read_textures(MeshSource& source, const LongCall& call = {});
 
+/// The same warnings, without keeping any picture. It needs the memory of the largest one.
+void check_textures(MeshSource& source, const LongCall& call = {});
+
 }  // namespace rimline

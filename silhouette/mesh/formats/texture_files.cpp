@@ -1,4 +1,4 @@
-// read_textures().
+// read_textures() and check_textures().
 
 #include <map>
 #include <span>
@@ -7,6 +7,7 @@
 #include "silhouette/mesh/formats/file_colors.h"
 #include "silhouette/mesh/formats/mesh_file.h"
 #include "silhouette/mesh/formats/source_file.h"
+#include "silhouette/mesh/formats/wrapped_content.h"
 #include "silhouette/printable_text.h"
 
 namespace rimline {
@@ -33,7 +34,8 @@ PicturePointer read_picture(const MaterialTexture& texture, const LongCall& call
         try {
             return decoded(file.bytes);
         } catch (const Error& e) {
-            warn(file.name + ": " + e.what());
+            const std::string_view what = wrapped_content(file.bytes);
+            warn(file.name + ": " + (what.empty() ? e.what() : std::string(what)));
         }
     } catch (const Error& e) {
         if (e.code() == ErrorCode::cancelled) throw;
@@ -44,9 +46,8 @@ PicturePointer read_picture(const MaterialTexture& texture, const LongCall& call
     return nullptr;
 }
 
-}  // namespace
-
-void read_textures(MeshSource& source, const LongCall& call) {
+// Where pictures are not kept, each is freed before the next one is read.
+void read_pictures(MeshSource& source, bool are_kept, const LongCall& call) {
     FaceMaterials& materials = source.materials;
     if (materials.corner_uvs.empty()) return;
     const std::vector<bool> is_used = used_textures(materials);
@@ -57,12 +58,24 @@ void read_textures(MeshSource& source, const LongCall& call) {
         MaterialTexture& texture = materials.textures[t];
         if (!is_used[t] || texture.picture) continue;
         const auto [picture, is_new] = pictures.try_emplace({texture.path, texture.embedded.get()});
-        if (is_new) picture->second = read_picture(texture, call, source.warnings);
+        if (is_new) {
+            PicturePointer made = read_picture(texture, call, source.warnings);
+            if (are_kept) picture->second = std::move(made);
+        }
         texture.picture = picture->second;
     }
-    // Only now: the addresses of the bytes were keys.
-    for (MaterialTexture& texture : materials.textures) texture.embedded = nullptr;
     call.checkpoint(1.0);
+}
+
+}  // namespace
+
+void read_textures(MeshSource& source, const LongCall& call) {
+    read_pictures(source, true, call);
+    for (MaterialTexture& texture : source.materials.textures) texture.embedded = nullptr;
+}
+
+void check_textures(MeshSource& source, const LongCall& call) {
+    read_pictures(source, false, call);
 }
 
 }  // namespace rimline

@@ -1,7 +1,10 @@
 """rimline info."""
+import base64
+import json
 import math
 import os
 import re
+import struct
 import tempfile
 
 from program import fail, is_vector, run, succeed
@@ -93,3 +96,33 @@ def test_info_tells_what_a_cloud_is():
     box = succeed("info", "shape:box")
     assert box["cloud"] is None and (box["up"], box["up_from"]) == ([0, 1, 0], "format")
     assert "  up          y, by the file's format\n" in run("info", "shape:box").stdout
+
+
+def test_info_and_convert_say_which_textures_are_missing_or_damaged():
+    with tempfile.TemporaryDirectory() as folder:
+        triangle = struct.pack("<9f6f", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1)
+        path = os.path.join(folder, "a.gltf")
+        with open(path, "w") as file:
+            json.dump({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+                       "buffers": [{"byteLength": len(triangle),
+                                    "uri": "data:;base64," + base64.b64encode(triangle).decode()}],
+                       "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}],
+                       "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+                                     {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"}],
+                       "images": [{"uri": "missing.png"}, {"uri": "broken.png"}],
+                       "textures": [{"source": 0}, {"source": 1}],
+                       "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": i}}} for i in (0, 1)],
+                       "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": i}
+                                                  for i in (0, 1)]}]}, file)
+        with open(os.path.join(folder, "broken.png"), "wb") as file:
+            file.write(b"\x89PNG\r\n\x1a\n" + bytes(20))
+        info = run("info", path)
+        missing, broken = info.stderr.splitlines()
+        assert info.returncode == 0 and "missing.png: " in missing and "; the texture is missing" in missing, info
+        assert "broken.png: " in broken and "; the texture is missing" in broken, info
+        convert = run("convert", path, "-o", os.path.join(folder, "a.glb"))
+        missing, broken = convert.stderr.splitlines()
+        assert convert.returncode == 0 and "missing.png: " in missing and "; the texture is missing" in missing, convert
+        assert "broken.png: " in broken and "; it is copied as it is" in broken, convert
+        # The picture is in the file then, as damaged as before.
+        assert "; the texture is missing" in run("info", os.path.join(folder, "a.glb")).stderr

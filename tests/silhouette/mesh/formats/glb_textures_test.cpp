@@ -14,10 +14,12 @@ namespace {
 const std::string k_png_begin = "\x89PNG\r\n\x1a\n";
 
 /// A ball whose faces have one of three textured materials, one without a texture, or none, in turn. Two of the
-/// textures have the same file.
+/// textures have the same file; the other file is damaged.
 MeshSource textured_ball(const ScratchFolder& folder) {
     MeshSource source = make_built_in_shape("sphere", 500);
-    const auto first = folder.write("a.png", k_png_begin + "first");
+    const std::vector<std::byte> png = encode_png({1, 1, {255, 0, 0, 255}});
+    const auto first =
+        folder.write("a.png", {reinterpret_cast<const char*>(png.data()), png.size()});
     const auto second = folder.write("b.jpg", "\xff\xd8\xffsecond");
     FaceMaterials& materials = source.materials;
     materials.textures = {
@@ -48,7 +50,10 @@ TEST_CASE("GLB: textures are kept with the bytes of their files and with their c
             for (std::size_t corner = 0; corner < 3 * source.triangles.size(); ++corner)
                 source.materials.corner_colors.emplace_back(0.0001f * float(corner));
         embed_textures(source);
-        CHECK(source.warnings.empty());
+        REQUIRE(source.warnings.size() == 1);
+        CHECK(has(source.warnings[0], "b: "));
+        CHECK(has(source.warnings[0], "b.jpg: "));
+        CHECK(has(source.warnings[0], "; it is copied as it is"));
         const Mesh mesh(source);
         const MeshSource read = read_text("a.glb", glb_bytes(mesh, {}));
         CHECK(read.warnings.empty());
@@ -105,6 +110,15 @@ TEST_CASE("GLB: a texture that cannot be written is a warning and its faces keep
     const MeshSource read = read_text("a.glb", glb);
     // Of the second material, after the faces of the first.
     CHECK(colors_of(read.materials, (mesh.face_count() + 4) / 5) == plain(glm::vec3(0.5f)));
+}
+
+TEST_CASE("embed_textures: a file in place of a picture is told") {
+    const ScratchFolder folder;
+    MeshSource source = textured_ball(folder);
+    folder.write("a.png", "version https://git-lfs.github.com/spec/v1\n");
+    embed_textures(source);
+    REQUIRE(source.warnings.size() == 2);
+    CHECK(has(source.warnings[0], "a.png: it is a pointer of Git LFS; 'git lfs pull'"));
 }
 
 TEST_CASE("embed_textures: the first bytes say the type of a picture") {

@@ -126,6 +126,30 @@ TEST_CASE("OBJ: corners have texture coordinates, and materials the pictures of 
     CHECK(source.materials.has_pictures());
 }
 
+TEST_CASE("check_textures: the warnings of read_textures without the pictures") {
+    const ScratchFolder folder;
+    folder.write("colors.mtl",
+                 "newmtl a\nmap_Kd red.png\nnewmtl b\nmap_Kd damaged.png\nnewmtl c\nmap_Kd "
+                 "missing.png\nnewmtl d\nmap_Kd pointer.png\n");
+    folder.write("red.png", png_of(k_picture));
+    folder.write("damaged.png", png_of(k_picture).substr(0, 40));
+    folder.write("pointer.png", "version https://git-lfs.github.com/spec/v1\n");
+    const MeshSource source = read_mesh_file(folder.write(
+        "a.obj", k_textured_square +
+                     "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 3/3\nusemtl c\nf 1/1 2/2 "
+                     "3/3\nusemtl d\nf 1/1 2/2 3/3\n"));
+    MeshSource checked = source, read = source;
+    check_textures(checked);
+    read_textures(read);
+    REQUIRE(checked.warnings.size() == 3);
+    CHECK(checked.warnings == read.warnings);
+    CHECK(std::ranges::any_of(checked.warnings, [](const std::string& warning) {
+        return warning.find("pointer.png: it is a pointer of Git LFS") != std::string::npos;
+    }));
+    CHECK(read.materials.has_pictures());
+    CHECK(!checked.materials.has_pictures());
+}
+
 TEST_CASE("OBJ: options of map_Kd, and names with spaces in folders") {
     const std::string obj = "usemtl a\nf 1/1 2/2 3/3\n";
     for (const std::string options :
