@@ -70,8 +70,9 @@ public:
         add_number(app, "--timeout", timeout_s_, 0.01, 1e6,
                    "Seconds that a model may take (default: any)")
             ->group("Machine");
-        add_number(app, "--memory", memory_mb_, 1.0, 1e9,
-                   "Megabytes of address space that a model may take (default: any)")
+        add_number(
+            app, "--memory", memory_mb_, 1.0, 1e9,
+            "Megabytes of address space that a model may take; pictures need 1500 (default: any)")
             ->group("Machine");
         CLI::Option* shard =
             app.add_option_function<std::string>(
