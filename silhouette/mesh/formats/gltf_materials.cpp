@@ -98,8 +98,8 @@ std::optional<glm::vec3> base_color(const GltfPlace& pbr, const char* key) {
     return clamped_color(glm::vec3(numbers[0], numbers[1], numbers[2]));
 }
 
-// Why a surface is not opaque; empty if it is. The alpha of a texture's pixels is not known here: a material that is cut
-// out by it says so, one that blends with it may have a texture without alpha.
+// Why a surface is not opaque; empty if it is. The alpha of a texture's pixels is not known here. A material that is
+// cut out by it says so; one that blends with it may have a texture without alpha.
 std::string transparency(const GltfPlace& material, const std::optional<GltfPlace>& model,
                          const char* factor_key, const char* texture_key) {
     const auto mode = material.find("alphaMode");
