@@ -69,7 +69,8 @@ public:
 private:
     glm::dvec2 pixel_of(const glm::dvec2& point) const {
         const glm::dvec2 scale = glm::dvec2(frame_.clip_scale) * double{frame_.guard};
-        return (0.5 * scale * point + 0.5) * glm::dvec2(frame_.extent);
+        const glm::dvec2 shift = glm::dvec2(frame_.clip_shift) * double{frame_.guard};
+        return (0.5 * (scale * point + shift) + 0.5) * glm::dvec2(frame_.extent);
     }
 
     double length() const {

@@ -44,6 +44,11 @@ TEST_CASE("segments are in pixels, y downwards, and the visible ones are solid")
         CHECK(segment.dashes.x == segment.dashes.y);
         CHECK(is_inked(segment.dashes.x));
     }
+    // Off the axis: by a tenth of the width to the right, a quarter of the height up.
+    gpu::FrameData shifted = frame();
+    shifted.clip_shift = glm::vec2(0.2f, -0.5f) / 2.0f;
+    const glm::vec4 ends = segments_of({{{0, 0}, {1, 0}}, {{0, 2}}}, shifted)[0].ends;
+    CHECK(glm::distance(ends, glm::vec4(120, 25, 170, 25)) < 1e-4f);
     // A line of one point is a dot.
     const auto dot = segments_of({{{0, 0}}, {{0, 1}}});
     REQUIRE(dot.size() == 1);
