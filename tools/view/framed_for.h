@@ -1,6 +1,6 @@
 #pragma once
 
-// The camera of a picture that the window saves.
+// The cameras of the picture that the window shows and of those that it saves.
 
 #include "engine/camera.h"
 #include "tools/options/option_types.h"
@@ -23,6 +23,22 @@ public:
 private:
     ViewSession& session_;
     const Camera shown_;
+};
+
+/// While it lives, the camera is ViewSession::shown_camera().
+class ShownBeside {
+public:
+    ShownBeside(ViewSession& session, const FreeArea& area)
+        : session_(session), camera_(session.camera) {
+        session_.camera = session_.shown_camera(area);
+    }
+    ~ShownBeside() { session_.camera = camera_; }
+    ShownBeside(const ShownBeside&) = delete;
+    ShownBeside& operator=(const ShownBeside&) = delete;
+
+private:
+    ViewSession& session_;
+    const Camera camera_;
 };
 
 }  // namespace rimline::tools

@@ -19,7 +19,8 @@ struct Ray {
 
 class ScreenView {
 public:
-    /// For a picture of `size` pixels. `size` may be in any other unit; pixels are then in that unit too.
+    /// For a picture of `size` pixels. `size` may be in any other unit; pixels are then in that unit too. A camera with a
+    /// projection has the aspect of that.
     ScreenView(const Camera& camera, const glm::dvec2& size);
 
     /// Relative to the upper left corner, y downwards. Nothing if the point is not in front of the eye.
@@ -37,6 +38,7 @@ private:
     glm::dmat3 axes_;  // The rows of camera_from_world() as columns.
     // Of the picture: at distance 1; with an orthographic camera, at any distance.
     glm::dvec2 half_size_;
+    glm::dvec2 shift_{0.0};  // Projection::shift.
 };
 
 }  // namespace rimline::tools

@@ -92,6 +92,7 @@ public:
         std::vector<std::string> warnings = opened.warnings;
         for (const std::string& warning : opened.document.warnings()) warnings.push_back(warning);
         const std::optional<ImageSize> picture_size = opened.size;
+        if (no_panel_) opened.frame_aspect.reset();  // The picture is all of the window.
         session.show(std::move(opened));
         ViewLoop loop(window, instance, session,
                       {.device = picture.device,

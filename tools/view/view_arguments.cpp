@@ -40,8 +40,10 @@ void ViewArguments::settle() {
 
 OpenedView ViewArguments::open(const BeginCall& begin, bool inspects) {
     Document document = open_document_of_models(begin);
-    return document.cloud() ? cloud_view(std::move(document), inspects)
-                            : model_view(std::move(document));
+    OpenedView view = document.cloud() ? cloud_view(std::move(document), inspects)
+                                       : model_view(std::move(document));
+    if (!fits()) view.frame_aspect = double(picture_.size.width) / picture_.size.height;
+    return view;
 }
 
 Document ViewArguments::open_document_of_models(const BeginCall& begin) {

@@ -35,7 +35,7 @@ constexpr double k_max_step_s = 0.1;
 void ViewInput::move_lights(ViewSession& session, const FreeArea& area) {
     const ImGuiIO& io = ImGui::GetIO();
     const SceneBounds bounds = session.bounds();
-    const ScreenView view(session.camera, area.window);
+    const ScreenView view(session.shown_camera(area), area.window);
     const auto [low, high] = area.corners(k_handle_margin);
     const glm::dvec2 mouse(io.MousePos.x, io.MousePos.y);
     if (!io.MouseDown[0] || (dragged_light_ && *dragged_light_ >= session.lights.size()))
@@ -71,11 +71,12 @@ void ViewInput::move_camera(ViewSession& session, const FreeArea& area) {
             is_framed = false;
             has_own_target_ = true;
         }
+        const double height = view_height(session.shown_camera(area)) / view_height(session.camera);
         const glm::dvec2 turn_rad = k_turn_rad_per_unit * glm::dvec2(-moved.x, moved.y);
         if (flies)
             turn_view(session.camera, -turn_rad);
         else if (pans)
-            pan(session.camera, glm::dvec2(moved.x, -moved.y) / area.window.y);
+            pan(session.camera, height / area.window.y * glm::dvec2(moved.x, -moved.y));
         else
             orbit_about(session.camera,
                         has_own_target_ ? session.middle_of(area) : session.bounds().center,

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "tools/view/camera_motion.h"
+#include "tools/view/framed_for.h"
 #include "tools/view/view_marks.h"
 
 namespace rimline::tools {
@@ -81,6 +82,7 @@ double ViewLoop::hough_width() const {
 void ViewLoop::fit() {
     session_.fit(free_area());
     last_area_ = free_area();
+    framed_shadow_ = session_.frames_shadow();
     input_.is_framed = true;
 }
 
@@ -231,7 +233,9 @@ void ViewLoop::build_panel() {
     context_.begin_frame();
     requests_ = {};
     if (options_.panel) {
-        if (input_.is_framed && free_area() != last_area_) fit();
+        const bool is_as_fitted =
+            free_area() == last_area_ && session_.frames_shadow() == framed_shadow_;
+        if (input_.is_framed && !is_as_fitted) fit();
         const bool has_handles = panel_.visible && !session_.is_cloud();
         is_moving_ = input_.apply(session_, free_area(), has_handles);
         move_along_path();
@@ -314,6 +318,7 @@ bool ViewLoop::draw_kept() {
 }
 
 ViewPicture ViewLoop::picture(bool is_fine, const LongCall& call) const {
+    const ShownBeside panels(session_, free_area());
     ViewPicture picture = session_.picture(exact_size(is_fine), call);
     if (Scene* const scene = std::get_if<Scene>(&picture)) {
         if (const ReducedModel* const reduced = session_.model().reduced()) {
@@ -373,6 +378,7 @@ bool ViewLoop::draw() {
     const bool is_fine = is_frame_fine();
     const VkExtent2D size = window_.size_px();
     DrawnSight sight{session_.sight(), {size.width, size.height}};
+    sight.sight.camera = session_.shown_camera(free_area());
     // A run for a screenshot draws what it is asked for.
     if (options_.frames == 0 && sight == drawn_sight_ && (!is_fine || !is_coarse_) &&
         renderer_.has_kept_picture())

@@ -161,7 +161,8 @@ private:
     const ModelDocument* inspected_ = nullptr;
     ViewCounters counters_;
     Coarseness coarseness_;
-    FreeArea last_area_;
+    FreeArea last_area_;          // Of fit().
+    bool framed_shadow_ = false;  // By fit().
     struct DrawnSight {
         ViewSight sight;
         glm::uvec2 size_px;

@@ -86,6 +86,7 @@ bool ViewLoop::show_loaded() {
     std::vector<std::string> warnings = std::move(view.warnings);
     for (const std::string& warning : view.document.warnings()) warnings.push_back(warning);
     const bool was_framed = input_.is_framed;
+    const bool is_given = view.frame_aspect.has_value();
     switch (result->kind) {
         case ModelLoader::Kind::document:
             session_.show(std::move(view.document), free_area().aspect());
@@ -103,10 +104,9 @@ bool ViewLoop::show_loaded() {
         history_.adopt(session_.edit());
     asked_file_colors_.reset();
     if (view.size) panel_.set_picture_size(*view.size);
-    // A scene file says where its camera is.
-    if (result->kind == ModelLoader::Kind::scene)
+    if (is_given)
         input_.is_framed = false;
-    else if (result->kind == ModelLoader::Kind::document || was_framed)
+    else if (result->kind != ModelLoader::Kind::arrangement || was_framed)
         fit();
     reduce_model();
     find_views();

@@ -134,7 +134,7 @@ glm::dvec2 label_corner(const glm::dvec2& mark, const glm::dvec2& size, const Fr
 void draw_marks(const ViewSession& session, const FreeArea& area,
                 std::optional<std::size_t> chosen) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const ScreenView view(session.camera, area.window);
+    const ScreenView view(session.shown_camera(area), area.window);
     if (session.frozen())
         draw_frozen(list, *session.frozen(), view, area, 0.5 * session.bounds().radius);
     if (!session.is_cloud()) draw_lights(list, session, view, area, chosen);

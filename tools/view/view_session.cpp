@@ -180,6 +180,7 @@ void ViewSession::show(Document document, const Camera& chosen, std::vector<Ligh
     appearance.orthographic = chosen.is_orthographic();
     appearance.fov_y_deg = chosen.fov_y_deg;
     frozen_.reset();
+    frame_aspect_.reset();
     kept_ = {};
 }
 
@@ -188,6 +189,7 @@ void ViewSession::show(OpenedView opened) {
     show(std::move(opened.document), opened.camera, std::move(opened.lights));
     if (opened.has_chosen_sun) note_chosen_sun();
     frozen_ = opened.frozen;
+    frame_aspect_ = opened.frame_aspect;
     kept_ = {.cameras = std::move(opened.scene_cameras),
              .picture = std::move(opened.unused_picture),
              .style = appearance.style};
@@ -195,9 +197,11 @@ void ViewSession::show(OpenedView opened) {
 
 void ViewSession::replace(Document document) {
     const std::optional<Camera> frozen = frozen_;
+    const std::optional<double> frame_aspect = frame_aspect_;
     KeptScene kept = std::move(kept_);
     show(std::move(document), Camera(camera), std::vector<Light>(lights));
     frozen_ = frozen;
+    frame_aspect_ = frame_aspect;
     kept_ = std::move(kept);
 }
 
@@ -215,23 +219,22 @@ SceneBounds ViewSession::bounds() const {
 }
 
 void ViewSession::fit(const FreeArea& area) {
+    frame_aspect_.reset();
     const bool orthographic = appearance.orthographic;
     appearance.orthographic = false;
     apply_lens();
     camera = fit_camera(camera, document_.subject(), camera.eye - camera.target, area.aspect());
-    const bool frames_shadow =
-        document_.model() != nullptr && appearance.ground && appearance.shadows;
-    if (frames_shadow)
+    if (frames_shadow())
         camera =
             frame_with_shadows(camera, document_.model()->mesh(), lights, camera.up, area.aspect());
     appearance.orthographic = orthographic;
     apply_lens();
-    if (frames_shadow) {
+    if (frames_shadow()) {
         // The middle is that of model and shadow; the model may be aside of it, but wholly in view.
         const double middle = area.left + 0.5 * area.width();
         pan(camera, {(middle - 0.5 * area.window.x) / area.window.y, 0.0});
     }
-    bring_into(area, frames_shadow ? Place::nearest : Place::middle);
+    bring_into(area, frames_shadow() ? Place::nearest : Place::middle);
 }
 
 // Away from the window's middle a perspective picture is another one: near parts move farther. It converges.
@@ -261,7 +264,27 @@ void ViewSession::bring_into(const FreeArea& area, Place place) {
 
 void ViewSession::keep_whole(const FreeArea& area) { bring_into(area, Place::nearest); }
 
+Camera ViewSession::shown_camera(const FreeArea& area) const {
+    const bool has_size = area.window.x > 0.0 && area.window.y > 0.0;
+    if (!frame_aspect_ || !has_size) return camera;
+    const double widening = std::max(*frame_aspect_ / area.aspect(), 1.0);
+    const double aside = (2.0 * area.left + area.width()) / area.window.x - 1.0;
+    if (widening == 1.0 && aside == 0.0) return camera;
+    Camera shown = camera;
+    shown.ortho_height *= widening;
+    const double tangent = widening * std::tan(0.5 * glm::radians(camera.fov_y_deg));
+    shown.fov_y_deg = glm::degrees(2.0 * std::atan(tangent));
+    // A near plane clips; an orthographic one lies before the ground too.
+    const SceneBounds sphere = bounds();
+    const double reach = camera.is_orthographic() ? 100.0 : 1.0;
+    shown.projection =
+        make_projection(shown, area.window.x / area.window.y, sphere.center, reach * sphere.radius);
+    shown.projection->shift.x = aside;
+    return shown;
+}
+
 glm::dvec3 ViewSession::middle_of(const FreeArea& area) const {
+    if (frame_aspect_) return camera.target;
     const double aside = (area.left + 0.5 * area.width() - 0.5 * area.window.x) / area.window.y;
     const glm::dvec3 right = glm::transpose(camera_from_world(camera))[0];
     return camera.target + aside * view_height(camera) * right;
@@ -295,7 +318,8 @@ void ViewSession::move_to(const glm::dvec3& towards_viewer) {
 }
 
 bool ViewSession::is_whole(const FreeArea& area) const {
-    const std::optional<PictureBox> box = box_of(camera, document_.subject(), area.window);
+    const std::optional<PictureBox> box =
+        box_of(shown_camera(area), document_.subject(), area.window);
     return box && box->low.x >= area.left && box->high.x <= area.left + area.width() &&
            box->low.y >= 0.0 && box->high.y <= area.window.y;
 }

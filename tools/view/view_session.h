@@ -103,6 +103,8 @@ struct OpenedView {
     ViewAppearance appearance;
     std::optional<Camera> frozen;  ///< Whose silhouette is shown.
     ChosenUp up;                   ///< Of the mesh of a model that stands alone.
+    /// Where eye or target were given: width / height of the picture that they were given for.
+    std::optional<double> frame_aspect = {};
     /// What else a scene file has: the size of its picture, all of its cameras, and the keys of its picture that the
     /// window has no option for, with warnings.
     std::optional<ImageSize> size;
@@ -126,7 +128,7 @@ public:
     void show(Document document, double aspect);
     /// The same with the given camera and lights. The appearance takes over the camera's lens.
     void show(Document document, const Camera& chosen, std::vector<Light> chosen_lights);
-    /// The same with the appearance too.
+    /// The same with the appearance too. A picture that is given (OpenedView::frame_aspect) is kept whole in the window.
     void show(OpenedView opened);
     /// Shows another document with the same camera and lights and the same frozen silhouette, for models that have been
     /// moved.
@@ -151,9 +153,16 @@ public:
     /// Moves the camera, but does not turn it, so that the whole document, with a ground its shadow too, is in the
     /// middle of a rectangle of the picture. O(positions).
     void fit(const FreeArea& area);
+    /// Whether fit() frames a shadow too.
+    bool frames_shadow() const {
+        return document_.model() != nullptr && appearance.ground && appearance.shadows;
+    }
     /// Moves the camera by as little as is needed for the whole document to be within the area, with the margin of
     /// fit(). It never comes nearer, so that nothing pumps while the camera turns. O(positions).
     void keep_whole(const FreeArea& area);
+    /// The camera of the window's picture. It is `camera`, unless the picture was given: then, until fit(), it has the
+    /// eye and direction of `camera`, and all of the given picture is in the middle of the area.
+    Camera shown_camera(const FreeArea& area) const;
     /// The point in the middle of the area that is as far from the eye as the target.
     glm::dvec3 middle_of(const FreeArea& area) const;
     /// Turns the camera about the document's center so that it looks from this direction (towards the viewer,
@@ -231,6 +240,7 @@ private:
     Document previous_;
     std::optional<Camera> frozen_;
     std::optional<glm::dvec3> chosen_sun_;
+    std::optional<double> frame_aspect_;  // Of the picture that was given, until fit().
     struct KeptScene {
         nlohmann::ordered_json cameras = nlohmann::ordered_json::object();
         nlohmann::ordered_json picture = nlohmann::ordered_json::object();

@@ -19,7 +19,7 @@ glm::dvec2 pixel_by_engine(const Camera& camera, const glm::dvec3& world) {
     const Projection p =
         make_projection(camera, k_screen_view_size.x / k_screen_view_size.y, glm::dvec3(0.0), 10.0);
     const double w = p.w[0] * eye.z + p.w[1];
-    const glm::dvec2 ndc = p.scale * glm::dvec2(eye) / w;
+    const glm::dvec2 ndc = p.scale * glm::dvec2(eye) / w + p.shift;
     return (0.5 * ndc + 0.5) * k_screen_view_size;
 }
 
@@ -31,13 +31,17 @@ TEST_CASE("pixels are where the engine draws, and rays go back through them") {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> place(-2.0, 2.0);
     for (const double ortho_height : {0.0, 4.0}) {
-        const Camera camera{.eye = {3, 2, 7},
-                            .target = {0.2, -0.1, 0},
-                            .up = {0, 1, 0},
-                            .fov_y_deg = 50.0,
-                            .ortho_height = ortho_height};
-        const ScreenView view(camera, k_screen_view_size);
+        Camera camera{.eye = {3, 2, 7},
+                      .target = {0.2, -0.1, 0},
+                      .up = {0, 1, 0},
+                      .fov_y_deg = 50.0,
+                      .ortho_height = ortho_height};
         for (int i = 0; i < 200; ++i) {
+            if (i == 100) {  // Off its axis from here on.
+                camera.projection = make_projection(camera, 1.4, glm::dvec3(0.0), 10.0);
+                camera.projection->shift = {0.3, -0.2};
+            }
+            const ScreenView view(camera, k_screen_view_size);
             const glm::dvec3 world(place(random), place(random), place(random));
             const auto pixel = view.pixel_of(world);
             REQUIRE(pixel);

@@ -129,6 +129,26 @@ inline void tap_key(const tools::Window& window, int key, int modifiers = 0) {
     glfwSetKeyCallback(window.handle(), handler);
 }
 
+// The mouse is there from now on, in units of the window.
+inline void move_mouse(tools::Window& window, double x, double y) {
+    glfwFocusWindow(window.handle());
+    const auto is_there = [&] {
+        double at_x = 0.0, at_y = 0.0;
+        glfwSetCursorPos(window.handle(), x, y);
+        glfwGetCursorPos(window.handle(), &at_x, &at_y);
+        return at_x == x && at_y == y && glfwGetWindowAttrib(window.handle(), GLFW_FOCUSED) != 0;
+    };
+    for (int attempt = 0; attempt < 400 && !is_there(); ++attempt) window.poll(0.01);
+    REQUIRE(is_there());
+}
+
+// A button of the mouse is down in the next frame, and up in the one after it.
+inline void click(const tools::Window& window, int button) {
+    const GLFWmousebuttonfun handler = glfwSetMouseButtonCallback(window.handle(), nullptr);
+    handler(window.handle(), button, GLFW_PRESS, 0);
+    glfwSetMouseButtonCallback(window.handle(), handler);
+}
+
 }  // namespace rimline::tests
 
 /// Defines `display`, or ends the case as skipped where there is none or no Vulkan device.

@@ -139,3 +139,55 @@ TEST_CASE("with a ground the model is whole too beside its shadow" * doctest::te
             }
         }
 }
+
+TEST_CASE(
+    "a picture that is given is whole beside the panels, from the same eye, until it is fitted") {
+    constexpr double k_aspect = 1.5;
+    const auto corner_of = [](const Camera& camera, int corner) {
+        const glm::dvec2 size(k_aspect, 1.0);
+        const Ray ray =
+            ScreenView(camera, size).ray_through(glm::dvec2(corner % 2, corner / 2) * size);
+        return ray.origin + glm::distance(camera.eye, camera.target) * ray.direction;
+    };
+    for (const char* lens : {"--fov=50", "--ortho=5"}) {
+        ViewSession session;
+        session.show(open_view({"shape:knot", "--eye=3,2,4", lens, "--size=600x400"},
+                               [](const std::string&) { return LongCall{}; })
+                         .view);
+        const Camera given = session.camera;
+        const std::string command = session.command({600, 400}, "a.png");
+        CHECK(session.shown_camera({.window = {600, 400}}) == given);
+        CHECK(session.shown_camera({.window = {0, 0}}) == given);  // Minimized.
+        for (const FreeArea& area : {FreeArea{.window = {1280, 860}, .left = 320},
+                                     FreeArea{.window = {1600, 500}, .left = 320},
+                                     FreeArea{.window = {900, 700}, .left = 320, .right = 290},
+                                     FreeArea{.window = {300, 700}}}) {
+            CAPTURE(lens);
+            CAPTURE(area.window.x);
+            const Camera shown = session.shown_camera(area);
+            CHECK(shown.eye == given.eye);
+            CHECK(shown.target == given.target);
+            const ScreenView view(shown, area.window);
+            const auto low = view.pixel_of(corner_of(given, 0));
+            const auto high = view.pixel_of(corner_of(given, 3));
+            REQUIRE(low);
+            REQUIRE(high);
+            CHECK(low->x >= area.left - 1e-6);
+            CHECK(high->x <= area.left + area.width() + 1e-6);
+            CHECK(low->y >= -1e-6);
+            CHECK(high->y <= area.window.y + 1e-6);
+            // As large as there is room for, and in the middle.
+            CHECK(std::max((high->x - low->x) / area.width(), (high->y - low->y) / area.window.y) ==
+                  doctest::Approx(1.0));
+            const glm::dvec2 middle(area.left + 0.5 * area.width(), 0.5 * area.window.y);
+            CHECK(glm::distance(0.5 * (*low + *high), middle) < 1e-6);
+            CHECK(glm::distance(*view.pixel_of(session.middle_of(area)), middle) < 1e-6);
+            CHECK(session.is_whole(area));
+        }
+        CHECK(session.command({600, 400}, "a.png") == command);
+        const FreeArea area{.window = {1280, 860}, .left = 320};
+        session.fit(area);
+        CHECK(session.shown_camera(area) == session.camera);
+        CHECK(session.is_whole(area));
+    }
+}

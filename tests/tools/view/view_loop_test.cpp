@@ -267,6 +267,64 @@ TEST_CASE("a scene file that is opened in the window brings its size and shows i
     CHECK(shown.loop->message().find("view has no --palette") != std::string::npos);
 }
 
+TEST_CASE("a camera of a scene file shows its picture beside the panel, and is saved as it is") {
+    RIMLINE_OPEN_DISPLAY(display);
+    tests::ShownWindow shown({.panel = true});
+    shown.resize(720, 300);
+    tests::ScratchFolder folder;
+    const std::string scene = (folder / "scene.json").string();
+    tests::write_bytes(scene, R"({"rimline_scene": 1, "models": [{"model": "shape:box"}],
+        "cameras": {"a": {"eye": [3, 2, 4], "target": [0, 0, 0]}}, "picture": {"size": "400x300"}})");
+    shown.loop->open({scene});
+    for (int i = 0; i < 2000 && shown.session.model().name() != scene; ++i) shown.loop->step(true);
+    REQUIRE(shown.session.model().name() == scene);
+    const Picture whole = shown.capture_at_rest();
+    const Picture picture = shown.rendered(400, 300);
+    REQUIRE(whole.width == 720);
+    std::size_t other = 0, dark = 0;
+    for (std::size_t y = 0; y < 300; ++y)
+        for (std::size_t x = 0; x < 400; ++x) {
+            const int here = whole.rgba[4 * (y * 720 + 320 + x)];
+            const int there = picture.rgba[4 * (y * 400 + x)];
+            other += std::abs(here - there) > 16;
+            dark += there < 200;
+        }
+    CHECK(dark > 5'000);
+    CHECK(other < 1'500);  // The sun's handle and the axes.
+    CHECK(shown.session.camera.eye == glm::dvec3(3, 2, 4));
+    tests::tap_key(shown.window, GLFW_KEY_C);
+    shown.loop->step(true);
+    CHECK(std::string(glfwGetClipboardString(shown.window.handle())).find("--eye 3,2,4") !=
+          std::string::npos);
+    // Without a camera it is as for any model.
+    tests::write_bytes(scene, R"({"rimline_scene": 1, "models": [{"model": "shape:torus"}]})");
+    shown.loop->open({scene});
+    for (int i = 0; i < 2000 && (i == 0 || shown.loop->is_loading()); ++i) shown.loop->step(true);
+    shown.loop->step(true);
+    CHECK(shown.session.is_whole(shown.loop->free_area()));
+}
+
+TEST_CASE("a framed model is framed again when its shadow comes and goes") {
+    RIMLINE_OPEN_DISPLAY(display);
+    tests::ShownWindow shown({.panel = true});
+    shown.resize(900, 500);
+    shown.capture();
+    const auto expected = [&] {
+        ViewSession& session = shown.session;
+        const Camera before = session.camera;
+        session.fit(shown.loop->free_area());
+        return std::exchange(session.camera, before).eye;
+    };
+    for (int turn = 0; turn < 2; ++turn) {
+        const glm::dvec3 eye = shown.session.camera.eye;
+        tests::tap_key(shown.window, GLFW_KEY_G);
+        shown.loop->step(true);
+        shown.loop->step(true);
+        CHECK(glm::distance(shown.session.camera.eye, eye) > 0.01);
+        CHECK(glm::distance(shown.session.camera.eye, expected()) < 1e-3);
+    }
+}
+
 TEST_CASE("a mask that is saved has black and white and nothing between") {
     RIMLINE_OPEN_DISPLAY(display);
     tests::ShownWindow shown({.panel = true, .picture_size = ImageSize{200, 150}});

@@ -1,0 +1,33 @@
+#include "tools/view/view_input.h"
+
+#include <glm/geometric.hpp>
+
+#include "tests/tools/view/shown_window.h"
+#include "tools/view/screen_view.h"
+#include "tools/view/view_arguments.h"
+
+using namespace rimline;
+using namespace rimline::tools;
+
+TEST_CASE("what is dragged to pan a given picture beside the panel stays under the mouse") {
+    RIMLINE_OPEN_DISPLAY(display);
+    tests::ShownWindow shown({.panel = true, .fits = false});
+    shown.resize(900, 500);
+    ViewSession& session = shown.session;
+    // A wide picture, which is small beside the panel.
+    session.show(open_view({"shape:box", "--eye=0,0,4", "--target=0,0,0", "--size=800x200"},
+                           [](const std::string&) { return LongCall{}; })
+                     .view);
+    shown.capture();
+    const auto target_pixel = [&] {
+        const FreeArea area = shown.loop->free_area();
+        return *ScreenView(session.shown_camera(area), area.window).pixel_of(glm::dvec3(0.0));
+    };
+    CHECK(glm::distance(target_pixel(), glm::dvec2(610, 250)) < 1.0);
+    tests::move_mouse(shown.window, 610, 250);
+    shown.loop->step(true);
+    tests::move_mouse(shown.window, 680, 200);
+    tests::click(shown.window, GLFW_MOUSE_BUTTON_RIGHT);
+    shown.loop->step(true);
+    CHECK(glm::distance(target_pixel(), glm::dvec2(680, 200)) < 1.0);
+}
