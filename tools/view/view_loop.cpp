@@ -87,7 +87,7 @@ void ViewLoop::fit() {
 }
 
 bool ViewLoop::has_model(const char* why_not) {
-    if (session_.is_cloud()) panel_.show_message(why_not, true);
+    if (session_.is_cloud()) panel_.show_message(why_not, MessageKind::error);
     return !session_.is_cloud();
 }
 
@@ -393,7 +393,7 @@ bool ViewLoop::draw() {
         if (error.code() != ErrorCode::too_large || !session_.show_previous(free_area().aspect()))
             throw;
         history_.begin(session_.edit());
-        panel_.show_message(error.what(), true);
+        panel_.show_message(error.what(), MessageKind::error);
         fit();
         reduce_model();
         find_views();

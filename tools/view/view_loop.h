@@ -68,6 +68,7 @@ public:
     void arrange(std::vector<PlacedModel> models, bool has_new_first = false);
     bool is_loading() const { return loader_.stage().has_value(); }
     const std::string& message() const noexcept { return panel_.message; }
+    MessageKind message_kind() const noexcept { return panel_.message_kind; }
     /// Of pictures that are saved.
     ImageSize picture_size() const { return panel_.picture_request().size; }
     const ViewGallery& gallery() const noexcept { return gallery_; }

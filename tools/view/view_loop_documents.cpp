@@ -35,7 +35,7 @@ void ViewLoop::open(const std::vector<std::string>& names, bool adds) {
         loader_.open(names.front());
         loads_ = Loads::other;
     } else if (std::ranges::any_of(names, is_scene)) {
-        panel_.show_message("a scene file cannot be added to a scene", true);
+        panel_.show_message("a scene file cannot be added to a scene", MessageKind::error);
     } else {
         added_ = names;
         loader_.arrange({.models = model->models(),
@@ -73,7 +73,7 @@ bool ViewLoop::show_loaded() {
     OpenedView& view = result->view;
     if (!view.document) {
         notice_.clear();
-        panel_.show_message(result->error, true);
+        panel_.show_message(result->error, MessageKind::error);
         panel_.forget_places();
         added_.clear();
         return false;
@@ -114,7 +114,7 @@ bool ViewLoop::show_loaded() {
     for (const std::string& name : std::exchange(added_, {})) recent_.add(name);
     window_.set_title("Rimline - " + session_.document().name());
     const std::string notice = std::exchange(notice_, {});
-    if (!notice.empty()) panel_.show_message(notice, false);
+    if (!notice.empty()) panel_.show_message(notice, MessageKind::result);
     show_warnings(warnings);
     return true;
 }
@@ -125,14 +125,14 @@ void ViewLoop::show_warnings(const std::vector<std::string>& warnings) {
     if (warnings.size() == 2) text += " (and another warning)";
     if (warnings.size() > 2)
         text += " (and " + std::to_string(warnings.size() - 1) + " more warnings)";
-    panel_.show_message(std::move(text), false);
+    panel_.show_message(std::move(text), MessageKind::warning);
 }
 
 void ViewLoop::undo_or_redo(bool undoes) {
     // The last change is the one that is being loaded.
     if (undoes && loads_ == Loads::arrangement) {
         cancel_load();
-        panel_.show_message("the change of the models is cancelled", false);
+        panel_.show_message("the change of the models is cancelled", MessageKind::result);
         return;
     }
     if (loads_ != Loads::undone) history_.note(session_.edit());
@@ -140,7 +140,8 @@ void ViewLoop::undo_or_redo(bool undoes) {
     if (edit)
         restore(*edit);
     else
-        panel_.show_message(undoes ? "nothing to undo" : "nothing to do again", false);
+        panel_.show_message(undoes ? "nothing to undo" : "nothing to do again",
+                            MessageKind::result);
 }
 
 // Models take a while. Until they are there, the session's state is none of the user's.
@@ -175,7 +176,7 @@ void ViewLoop::follow_file_colors() {
 bool ViewLoop::may_write(const std::string& path) {
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored) || !may_replace_.insert(path).second) return true;
-    panel_.show_message(path + " exists: save again to replace it", true);
+    panel_.show_message(path + " exists: save again to replace it", MessageKind::error);
     return false;
 }
 
@@ -198,13 +199,13 @@ void ViewLoop::save(const PanelRequests::Save& save) {
         file.write({reinterpret_cast<const char*>(png.data()), png.size()});
         file.commit();
         may_replace_.insert(save.path);
-        panel_.show_message("saved " + save.path, false);
+        panel_.show_message("saved " + save.path, MessageKind::result);
     } catch (
         const std::runtime_error& error) {  // Error, or UsageError if the path is the model itself.
-        panel_.show_message(error.what(), true);
+        panel_.show_message(error.what(), MessageKind::error);
     } catch (const std::bad_alloc&) {
         panel_.show_message(save.path + ": there is not enough memory for a picture of this size",
-                            true);
+                            MessageKind::error);
     }
 }
 
@@ -218,9 +219,9 @@ void ViewLoop::save_scene(const PanelRequests::Save& save) {
         file.write(scene_text(session_.written_scene(save.size), save.path));
         file.commit();
         may_replace_.insert(save.path);
-        panel_.show_message("saved " + save.path, false);
+        panel_.show_message("saved " + save.path, MessageKind::result);
     } catch (const std::runtime_error& error) {
-        panel_.show_message(error.what(), true);
+        panel_.show_message(error.what(), MessageKind::error);
     }
 }
 
@@ -229,16 +230,16 @@ void ViewLoop::copy_command() {
     try {
         check_picture_name(picture.path);
     } catch (const UsageError& error) {
-        panel_.show_message(error.what(), true);
+        panel_.show_message(error.what(), MessageKind::error);
         return;
     }
     if (const std::string obstacle = session_.command_obstacle(); !obstacle.empty()) {
-        panel_.show_message(obstacle, true);
+        panel_.show_message(obstacle, MessageKind::error);
         return;
     }
     const FramedFor framed(session_, input_.is_framed, picture.size);
     glfwSetClipboardString(window_.handle(), session_.command(picture.size, picture.path).c_str());
-    panel_.show_message("the command is in the clipboard", false);
+    panel_.show_message("the command is in the clipboard", MessageKind::result);
 }
 
 }  // namespace rimline::tools

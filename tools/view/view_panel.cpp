@@ -100,6 +100,13 @@ void begin_model_only(const ViewSession& session, const char* reason) {
 }
 void end_model_only() { ImGui::EndDisabled(); }
 
+// Green, amber, red. The window's lamps have a paler amber, which text cannot have on this background.
+ImVec4 color_of(MessageKind kind) {
+    if (kind == MessageKind::error) return {0.72f, 0.14f, 0.08f, 1.0f};
+    if (kind == MessageKind::warning) return {0.62f, 0.38f, 0.0f, 1.0f};
+    return {0.16f, 0.42f, 0.24f, 1.0f};
+}
+
 void same_width() { ImGui::SetNextItemWidth(-0.42f * ImGui::GetWindowWidth()); }
 
 }  // namespace
@@ -528,10 +535,8 @@ void ViewPanel::draw_messages(const Status& status, PanelRequests& requests) {
                      ImGuiWindowFlags_NoNav);
     if (shows_loading) draw_loading(*status.loading, requests);
     if (!message.empty()) {
-        const ImVec4 color = message_is_error ? ImVec4(0.72f, 0.14f, 0.08f, 1.0f)
-                                              : ImVec4(0.16f, 0.42f, 0.24f, 1.0f);
         const float padding = 2.0f * ImGui::GetStyle().WindowPadding.x;
-        ImGui::PushStyleColor(ImGuiCol_Text, color);
+        ImGui::PushStyleColor(ImGuiCol_Text, color_of(message_kind));
         ImGui::PushTextWrapPos(
             std::min(width - padding, ImGui::CalcTextSize(message.c_str()).x + padding));
         ImGui::TextUnformatted(message.c_str());

@@ -39,18 +39,20 @@ struct PanelRequests {
     std::optional<Save> save_scene;  ///< A scene file, for a picture of this size.
 };
 
+enum class MessageKind { result, warning, error };
+
 class ViewPanel {
 public:
     /// In units of the panel, margins included.
     static constexpr float k_width = 320.0f;
 
     bool visible = true;
-    std::string message;  ///< The last error or result; may be empty.
-    bool message_is_error = false;
+    std::string message;  ///< The last one; may be empty.
+    MessageKind message_kind = MessageKind::result;
 
-    void show_message(std::string text, bool is_error) {
+    void show_message(std::string text, MessageKind kind) {
         message = std::move(text);
-        message_is_error = is_error;
+        message_kind = kind;
     }
 
     /// What the panel displays beside the session.

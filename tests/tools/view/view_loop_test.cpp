@@ -257,6 +257,7 @@ TEST_CASE("a scene file that is opened in the window brings its size and shows i
         {.panel = true, .picture_size = ImageSize{320, 200}, .warnings = {"first", "second"}});
     CHECK(shown.loop->picture_size() == ImageSize{320, 200});
     CHECK(shown.loop->message() == "first (and another warning)");
+    CHECK(shown.loop->message_kind() == MessageKind::warning);
     tests::ScratchFolder folder;
     const std::string scene = (folder / "scene.json").string();
     tests::write_bytes(scene, R"({"rimline_scene": 1, "models": [{"model": "shape:box"}],
