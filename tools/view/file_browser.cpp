@@ -21,6 +21,15 @@ bool can_be_opened(const std::filesystem::path& path) {
     return is_model_file_name(path) || is_scene_file(path.string()) || path.extension() == ".txt";
 }
 
+// In as many lines as the window needs.
+void draw_tooltip(const std::string& text) {
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(0.8f * ImGui::GetIO().DisplaySize.x);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
 // A line to be clicked, with text that is clear and text that is less so; `whole` in a tooltip where it is too long.
 bool draw_line(const std::string& whole, const std::string& clear, const std::string& faint) {
     const float width = ImGui::GetContentRegionAvail().x;
@@ -34,7 +43,7 @@ bool draw_line(const std::string& whole, const std::string& clear, const std::st
     list.AddText({place.x + end, place.y}, ImGui::GetColorU32(ImGuiCol_TextDisabled),
                  faint.c_str());
     if (ImGui::IsItemHovered() && end + ImGui::CalcTextSize(faint.c_str()).x > width)
-        ImGui::SetTooltip("%s", whole.c_str());
+        draw_tooltip(whole);
     return is_clicked;
 }
 

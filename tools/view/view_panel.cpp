@@ -148,6 +148,9 @@ void ViewPanel::draw_choice(const Status& status, PanelRequests& requests) {
     ImGui::SameLine();
     if ((ImGui::Button(adds_ ? "Add" : "Open", {-1.0f, 0.0f}) || entered) && path_[0] != '\0')
         requests.open = path_.data();
+    // Names of files need all of the panel's width.
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, 22.0f * ImGui::GetFrameHeight()});
     ImGui::SetNextItemWidth(-0.3f * ImGui::GetWindowWidth());
     if (ImGui::BeginCombo("##shapes", "recent and built-in")) {
         for (const std::string& name : status.recent)
