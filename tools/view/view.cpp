@@ -79,7 +79,7 @@ public:
         // Before the model is loaded, so that a missing display is reported at once.
         const PictureOptions& picture = view_.picture();
         Window window("Rimline - " + view_.models().name(), static_cast<int>(picture.size.width),
-                      static_cast<int>(picture.size.height), frames_ == 0);
+                      static_cast<int>(picture.size.height), least_size());
         const VulkanInstance instance(
             {.validate = picture.validate, .window_extensions = window.vulkan_extensions()});
         ViewSession session;
@@ -116,6 +116,14 @@ public:
     }
 
 private:
+    // Of a window that may differ from the picture's size. A run for a screenshot has what it is asked for.
+    std::optional<Window::Least> least_size() const {
+        const bool has_size_of_scene = view_.models().scene_size() == view_.picture().size;
+        if (no_panel_) return frames_ == 0 ? std::optional(Window::Least{}) : std::nullopt;
+        if (frames_ > 0 && !has_size_of_scene) return {};
+        return Window::Least{.width = 800, .height = 600};
+    }
+
     // Says in the window's title how far it is. Nothing if the window is closed meanwhile.
     std::optional<OpenedView> open(const Context& context, Window& window) {
         std::stop_source closed;

@@ -26,20 +26,23 @@ int key_of_layout(int key) {
 }
 
 // No larger than what the screen leaves to windows.
-std::pair<int, int> fitting_size(int width, int height) {
+std::pair<int, int> fitting_size(int width, int height, const Window::Least& least) {
     constexpr double k_of_screen = 0.9;
     GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
-    if (!monitor) return {width, height};
+    if (!monitor) return {std::max(width, least.width), std::max(height, least.height)};
     int x = 0, y = 0, free_width = 0, free_height = 0;
     glfwGetMonitorWorkarea(monitor, &x, &y, &free_width, &free_height);
     float scale_x = 1.0f, scale_y = 1.0f;
     glfwGetMonitorContentScale(monitor, &scale_x, &scale_y);
-    const double wide = double{scale_x} * width / free_width;
-    const double high = double{scale_y} * height / free_height;
-    if (!(std::max(wide, high) > 1.0)) return {width, height};
-    const double factor = k_of_screen / std::max(wide, high);
-    return {std::max(1, static_cast<int>(factor * width)),
-            std::max(1, static_cast<int>(factor * height))};
+    const double wide = free_width / double{scale_x};
+    const double high = free_height / double{scale_y};
+    const double excess = std::max(width / wide, height / high);
+    const double factor = excess > 1.0 ? k_of_screen / excess : 1.0;
+    const auto side = [&](int wanted, int least_side, double room) {
+        return std::max({static_cast<int>(factor * wanted), 1,
+                         std::min(least_side, static_cast<int>(k_of_screen * room))});
+    };
+    return {side(width, least.width, wide), side(height, least.height, high)};
 }
 
 }  // namespace
@@ -55,7 +58,7 @@ struct Window::Events {
     }
 };
 
-Window::Window(const std::string& title, int width, int height, bool fits_screen)
+Window::Window(const std::string& title, int width, int height, std::optional<Least> least)
     : events_(std::make_unique<Events>()) {
 #ifdef GLFW_PLATFORM
     // From version 3.4 on, GLFW asks for a Wayland display first, and libwayland prints an error where there is none.
@@ -73,7 +76,7 @@ Window::Window(const std::string& title, int width, int height, bool fits_screen
     }
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    if (fits_screen) std::tie(width, height) = fitting_size(width, height);
+    if (least) std::tie(width, height) = fitting_size(width, height, *least);
     window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
     if (window_ == nullptr) {
         const std::string reason = last_error();

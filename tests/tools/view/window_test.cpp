@@ -537,6 +537,21 @@ TEST_CASE("the first frames of a moving picture are coarse if the picture at res
     CHECK(fast.quality().scale == 0);
 }
 
+TEST_CASE("a window has room for its panel and fits on the screen, which is 1600 x 1200") {
+    RIMLINE_OPEN_DISPLAY(display);
+    constexpr Window::Least k_least{.width = 800, .height = 600};
+    const auto size_of = [](int width, int height, std::optional<Window::Least> least) {
+        return Window("test", width, height, least).size();
+    };
+    CHECK(size_of(160, 120, k_least) == glm::dvec2(800, 600));
+    CHECK(size_of(1000, 700, k_least) == glm::dvec2(1000, 700));
+    CHECK(size_of(9000, 6750, k_least) == glm::dvec2(1440, 1080));
+    CHECK(size_of(9000, 90, k_least) == glm::dvec2(1440, 600));
+    CHECK(size_of(160, 120, Window::Least{}) == glm::dvec2(160, 120));
+    CHECK(size_of(160, 120, std::nullopt) == glm::dvec2(160, 120));
+    CHECK(size_of(160, 120, Window::Least{3000, 3000}) == glm::dvec2(1440, 1080));
+}
+
 TEST_CASE("without a display the error says what to set and what else to use") {
     unsetenv("WAYLAND_DISPLAY");
     setenv("DISPLAY", ":67890", 1);
