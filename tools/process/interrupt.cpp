@@ -19,6 +19,7 @@ namespace {
 constexpr std::array k_ending_signals{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXFSZ, SIGXCPU};
 
 std::atomic<int> g_signal_received{0};
+std::atomic_bool g_has_words{true};
 std::atomic_flag g_is_ending = ATOMIC_FLAG_INIT;
 
 bool is_ignored(int signal_number) {
@@ -43,7 +44,7 @@ void write_error(std::string_view text) {
 void end_by(int signal_number) {
     while (g_is_ending.test_and_set()) pause();
     if (isatty(STDERR_FILENO) == 1) write_error("\r\033[K");  // Erases a line of progress.
-    write_error("rimline: error: cancelled\n");
+    if (g_has_words) write_error("rimline: error: cancelled\n");
     raise_unblocked(signal_number);
 }
 
@@ -74,6 +75,8 @@ std::stop_token stop_on_interrupt(void (*clean_up)() noexcept) {
     }
     return source.get_token();
 }
+
+void end_without_words() noexcept { g_has_words = false; }
 
 void end_as_interrupted() {
     const int received = g_signal_received;

@@ -10,6 +10,7 @@
 #include "tools/command.h"
 #include "tools/options/up_option.h"
 #include "tools/output/output_file.h"
+#include "tools/process/interrupt.h"
 #include "tools/progress.h"
 #include "tools/view/view_arguments.h"
 #include "tools/view/view_loop.h"
@@ -76,6 +77,8 @@ public:
             screenshot.emplace(screenshot_);
         }
 
+        // Who ends a window by a signal has what was wanted.
+        if (frames_ == 0) end_without_words();
         // Before the model is loaded, so that a missing display is reported at once.
         const PictureOptions& picture = view_.picture();
         Window window("Rimline - " + view_.models().name(), static_cast<int>(picture.size.width),

@@ -1,9 +1,12 @@
 """rimline view under Xvfb."""
+import json
 import os
+import signal
 import subprocess
 import tempfile
+import time
 
-from program import fail, have_device, png_size, run, skip
+from program import PROGRAM, fail, have_device, png_size, run, skip
 
 
 def have_window():
@@ -18,8 +21,8 @@ class Display:
     def __enter__(self):
         read, write = os.pipe()
         try:
-            self.server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-nolisten", "tcp"], pass_fds=[write],
-                                           stderr=subprocess.DEVNULL)
+            self.server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x960x24",
+                                            "-nolisten", "tcp"], pass_fds=[write], stderr=subprocess.DEVNULL)
         except FileNotFoundError:
             skip("no Xvfb")
         os.close(write)
@@ -71,6 +74,24 @@ def test_view_shows_scenes_as_render_draws_them():
             file.write('{"rimline_scene": 1, "models": [{"model": "shape:box"}], "picture": {"palette": "sea"}}')
         result = run("view", scene, "--frames", "1", env=display.environment)
         assert result.returncode == 0 and "picture.palette: view has no --palette" in result.stderr, result.stderr
+        for size, options, expected in (("160x120", [], (800, 600)), ("160x120", ["--size", "200x150"], (200, 150)),
+                                        ("160x120", ["--no-panel"], (160, 120)), ("9000x600", [], (1152, 600))):
+            with open(scene, "w") as file:
+                json.dump({"rimline_scene": 1, "models": [{"model": "shape:box"}], "picture": {"size": size}}, file)
+            result = run("view", scene, *options, "--frames", "1", "--screenshot", shown, env=display.environment)
+            assert result.returncode == 0 and png_size(shown) == expected, (options, png_size(shown), result.stderr)
+
+
+def test_a_signal_ends_view_without_words():
+    have_window()
+    with Display() as display, tempfile.TemporaryDirectory() as folder:
+        for number in (signal.SIGINT, signal.SIGTERM):
+            process = subprocess.Popen([PROGRAM, "view", "shape:box"], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                       text=True, env=display.environment | {"XDG_STATE_HOME": folder})
+            time.sleep(2.0)
+            process.send_signal(number)
+            out, err = process.communicate(timeout=60)
+            assert process.returncode == -number and out == err == "", (process.returncode, out, err)
 
 
 def test_view_without_a_display_says_what_to_do():
