@@ -233,13 +233,13 @@ void ViewLoop::build_panel() {
     context_.begin_frame();
     requests_ = {};
     if (options_.panel) {
-        const bool is_as_fitted =
-            free_area() == last_area_ && session_.frames_shadow() == framed_shadow_;
-        if (input_.is_framed && !is_as_fitted) fit();
         const bool has_handles = panel_.visible && !session_.is_cloud();
         is_moving_ = input_.apply(session_, free_area(), has_handles);
         move_along_path();
         apply_keys();
+        const bool is_as_fitted =
+            free_area() == last_area_ && session_.frames_shadow() == framed_shadow_;
+        if (input_.is_framed && !is_as_fitted) fit();
     }
     draw_panel();
     context_.end_frame();
