@@ -24,8 +24,8 @@ constexpr std::chrono::milliseconds k_grace{100};
 /// signals end the program at once, and the token is never stopped.
 std::stop_token stop_on_interrupt(void (*clean_up)() noexcept);
 
-/// Prints that the program was cancelled, unless it ends without words, and ends it by the signal that stopped it, so that a shell's loop stops as
-/// well. Does nothing when no signal arrived.
+/// Prints that the program was cancelled, unless it ends without words, and ends it by the signal that stopped it, so
+/// that a shell's loop stops as well. Does nothing when no signal arrived.
 void end_as_interrupted();
 
 /// From now on the program prints nothing when a signal ends it: for one that works until it is ended.

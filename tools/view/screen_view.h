@@ -19,8 +19,8 @@ struct Ray {
 
 class ScreenView {
 public:
-    /// For a picture of `size` pixels. `size` may be in any other unit; pixels are then in that unit too. A camera with a
-    /// projection has the aspect of that.
+    /// For a picture of `size` pixels. `size` may be in any other unit; pixels are then in that unit too. A camera with
+    /// a projection has the aspect of that.
     ScreenView(const Camera& camera, const glm::dvec2& size);
 
     /// Relative to the upper left corner, y downwards. Nothing if the point is not in front of the eye.

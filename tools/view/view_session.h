@@ -128,7 +128,7 @@ public:
     void show(Document document, double aspect);
     /// The same with the given camera and lights. The appearance takes over the camera's lens.
     void show(Document document, const Camera& chosen, std::vector<Light> chosen_lights);
-    /// The same with the appearance too. A picture that is given (OpenedView::frame_aspect) is kept whole in the window.
+    /// The same with the appearance too. A picture that is given (OpenedView::frame_aspect) is whole in the window.
     void show(OpenedView opened);
     /// Shows another document with the same camera and lights and the same frozen silhouette, for models that have been
     /// moved.

@@ -19,12 +19,14 @@ namespace rimline::tools {
 
 class Window {
 public:
-    /// Opens a window with a content of `width` x `height` screen units. With `least`: smaller, of the same shape, where
-    /// the screen has no room for it, and no smaller than `least` where it has. At most one at a time. Throws Error{no_device} if there is no
-    /// display, or if Vulkan cannot present on it.
+    /// In screen units.
     struct Least {
         int width = 1, height = 1;
     };
+
+    /// Opens a window with a content of `width` x `height` screen units. With `least`: smaller, of the same shape,
+    /// where the screen has no room for it, and no smaller than `least` where it has. At most one at a time. Throws
+    /// Error{no_device} if there is no display, or if Vulkan cannot present on it.
     Window(const std::string& title, int width, int height, std::optional<Least> least = {});
     ~Window();
     Window(const Window&) = delete;
