@@ -127,8 +127,8 @@ std::vector<glm::dvec2> points_in_faces(const Mesh& mesh, const PictureFrame& fr
 }
 
 double lit_share_preference(double lit) {
-    const double outside = std::max(
-        {0.0, (k_least_lit - lit) / k_dark_falloff, (lit - k_most_lit) / k_light_falloff});
+    const double outside =
+        std::max({0.0, (k_least_lit - lit) / k_dark_falloff, (lit - k_most_lit) / k_light_falloff});
     return 1.0 / (1.0 + outside * outside);
 }
 
