@@ -8,6 +8,7 @@
 #include "tools/command.h"
 #include "tools/options/model_argument.h"
 #include "tools/output/page_lines.h"
+#include "tools/output/pen_order.h"
 
 namespace rimline::tools {
 
@@ -74,6 +75,7 @@ std::unique_ptr<BoundDrawing> BoundDrawer::draw(const DrawOptions& options, bool
     call.checkpoint(1.0);
     if (!lines.draws_hidden())
         std::erase_if(result->page.lines, [](const PageLine& line) { return line.is_hidden; });
+    order_for_pen(result->page.lines);
     return result;
 }
 

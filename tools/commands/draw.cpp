@@ -29,6 +29,7 @@
 #include "tools/output/json_vector.h"
 #include "tools/output/output_file.h"
 #include "tools/output/page_lines.h"
+#include "tools/output/pen_order.h"
 #include "tools/progress.h"
 #include "tools/timing.h"
 
@@ -312,6 +313,7 @@ private:
         for (const PageLine& line : drawing.lines) totals.add(line);
         if (!lines_.draws_hidden())
             std::erase_if(drawing.lines, [](const PageLine& line) { return line.is_hidden; });
+        order_for_pen(drawing.lines);
         return drawing;
     }
 

@@ -57,13 +57,19 @@ void parse_page(const std::string& text, LinePage& page) {
     std::string name = text;
     for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     if (name == "fit") return;
+    constexpr std::string_view k_landscape = "-landscape";
+    const bool is_landscape = name.ends_with(k_landscape);
+    if (is_landscape) name.resize(name.size() - k_landscape.size());
     const auto named = std::ranges::find(k_pages, name, &NamedPage::name);
-    page.size_mm =
-        named != k_pages.end() ? named->size_mm : parse_pair(text, 'x', 1.0, k_max_page_mm);
+    if (named == k_pages.end())
+        page.size_mm = parse_pair(text, 'x', 1.0, k_max_page_mm);
+    else
+        page.size_mm =
+            is_landscape ? glm::dvec2(named->size_mm.y, named->size_mm.x) : named->size_mm;
     if (!page.size_mm)
         throw CLI::ValidationError("--page",
-                                   "expected fit, a0 to a6, letter, legal, tabloid, or WxH with "
-                                   "both from 1 to 5000 mm, not '" +
+                                   "expected fit, a0 to a6, letter, legal, tabloid, one of these "
+                                   "with -landscape, or WxH with both from 1 to 5000 mm, not '" +
                                        text + "'");
 }
 
@@ -80,9 +86,9 @@ void LinePage::add_to(CLI::App& app) {
     constexpr const char* k_group = "Page";
     app.add_option_function<std::string>(
            "--page", [this](const std::string& text) { parse_page(text, *this); },
-           "Width and height in mm, or the name of an upright page: a0 to a6, letter, legal, "
-           "tabloid; fit: as large as the drawing and its margins, without --scale 180 mm on the "
-           "longer side")
+           "Width and height in mm, or a name: a0 to a6, letter, legal, tabloid, upright, or with "
+           "-landscape; fit: as large as the drawing and its margins, without --scale 180 mm on "
+           "the longer side")
         ->type_name("WxH|NAME|fit")
         ->default_str("a4")
         ->group(k_group);

@@ -525,12 +525,13 @@ def test_the_camera_is_that_of_render():
 def test_pages_have_names():
     with tempfile.TemporaryDirectory() as folder:
         drawings = {}
-        for page in (None, "a4", "A4", "210x297", "letter", "215.9x279.4"):
+        for page in (None, "a4", "A4", "210x297", "letter", "215.9x279.4", "a4-landscape", "297x210"):
             path = os.path.join(folder, "a.svg")
             succeed("draw", "shape:box", "-o", path, *(["--page", page] if page else []))
             drawings[page] = read_file(path)
         assert drawings[None] == drawings["a4"] == drawings["A4"] == drawings["210x297"]
         assert drawings["letter"] == drawings["215.9x279.4"] != drawings["a4"]
+        assert drawings["a4-landscape"] == drawings["297x210"] != drawings["a4"]
 
 
 def test_wrong_drawings_are_told_in_plain_words():
@@ -546,7 +547,7 @@ def test_wrong_drawings_are_told_in_plain_words():
         assert "a height from 1e-12 to 1e18, not '0'" in fail(2, *box, "--ortho", "0")
         assert "--scale: expected A:B, for example 1:10, not '3'" in fail(2, *box, "--ortho", "auto", "--scale", "3")
         assert "--scale: the drawing has" in fail(2, *box, "--ortho", "auto", "--scale", "1000:1")
-        assert "--page: expected fit, a0 to a6, letter, legal, tabloid, or WxH with both from 1 to 5000 mm, not '0x9'" in fail(2, *box, "--page", "0x9")
+        assert "--page: expected fit, a0 to a6, letter, legal, tabloid, one of these with -landscape, or WxH with both from 1 to 5000 mm, not '0x9'" in fail(2, *box, "--page", "0x9")
         assert "--margin: the margins leave no space" in fail(2, *box, "--margin", "105")
         assert "--ortho: expected auto or a height" in fail(2, *box, "--ortho", "-1")
         assert "--views: the views of a sheet" in fail(2, *box, "--views", "front", "--eye", "1,2,3")
