@@ -26,6 +26,7 @@
 #include "tools/output/output_file.h"
 #include "tools/output/plot_scale.h"
 #include "tools/output/slice_picture.h"
+#include "tools/output/slice_values.h"
 #include "tools/progress.h"
 
 namespace rimline::tools {
@@ -97,7 +98,8 @@ public:
             "--at and --discount are in the model's own coordinates. A slice shows the ball or\n"
             "shell in which the function is defined; the two other axes point right and up, in\n"
             "the model's own units. The model is drawn as seen along the axis, and where the\n"
-            "slice cuts it.\n\n"
+            "slice cuts it. It sums in every fourth square, and interpolates between them where a\n"
+            "check says that this changes values by less than the tolerance.\n\n"
             "Functions:\n" +
             names +
             "\nExamples:\n"
@@ -185,12 +187,16 @@ private:
             throw UsageError(
                 "--slice: that plane does not meet the function's domain, which ends " +
                 short_number(function.max_radius, 0.1) + " radii from the center");
-        std::vector<double> values(grid.points().size());
-        {
+        const SliceValues slice = [&] {
             Progress progress(context, "summing votes");
-            votes.values(grid.points(), values, progress.call());
-        }
+            return slice_values(
+                grid, votes.error_bound(),
+                [&](std::span<const glm::dvec3> points, std::span<double> out,
+                    const LongCall& call) { votes.values(points, out, call); },
+                progress.call());
+        }();
         context.times.end("votes");
+        const std::vector<double>& values = slice.values;
         const auto [least, greatest] = std::ranges::minmax_element(values);
         const UnitFrame& frame = votes.field().frame();
         const glm::dvec3 at =
@@ -206,10 +212,12 @@ private:
                                         .unit = weight_ == "area" ? "votes x area" : "votes"},
                                        progress.call()));
         context.times.end("drawing");
-        object["slice"] = {{"axis", axis_name()},      {"value", slice_->value},
-                           {"coordinate", coordinate}, {"least", *least},
-                           {"greatest", *greatest},    {"greatest_at", json_vector(at)},
-                           {"output", output_}};
+        object["slice"] = {
+            {"axis", axis_name()},      {"value", slice_->value},
+            {"coordinate", coordinate}, {"least", *least},
+            {"greatest", *greatest},    {"greatest_at", json_vector(at)},
+            {"sums", slice.sums},       {"interpolation_error", slice.greatest_error},
+            {"output", output_}};
     }
 
     std::string axis_name() const { return std::string(1, static_cast<char>('x' + slice_->axis)); }

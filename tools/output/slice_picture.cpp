@@ -254,16 +254,21 @@ SliceGrid::SliceGrid(int axis, double value, double min_radius, double extent, i
     RIMLINE_CHECK(axis >= 0 && axis < 3 && side > 0 && extent > 0.0);
     for (int row = 0; row < side; ++row)
         for (int column = 0; column < side; ++column) {
-            glm::dvec3 p(0.0);
-            p[axis] = value;
-            p[right()] = extent * (2.0 * (column + 0.5) / side - 1.0);
-            p[up()] = extent * (1.0 - 2.0 * (row + 0.5) / side);
+            const glm::dvec3 p = center(row, column);
             const double radius = glm::length(p);
             if (radius < min_radius || radius > extent) continue;
             squares_.push_back(static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(side) +
                                static_cast<std::uint32_t>(column));
             points_.push_back(p);
         }
+}
+
+glm::dvec3 SliceGrid::center(int row, int column) const noexcept {
+    glm::dvec3 p(0.0);
+    p[axis_] = value_;
+    p[right()] = extent_ * (2.0 * (column + 0.5) / side_ - 1.0);
+    p[up()] = extent_ * (1.0 - 2.0 * (row + 0.5) / side_);
+    return p;
 }
 
 std::vector<std::array<glm::dvec3, 2>> cut_segments(const Mesh& mesh, int axis, double value) {

@@ -31,6 +31,9 @@ public:
     int right() const noexcept { return axis_ == 0 ? 1 : 0; }
     int up() const noexcept { return axis_ == 2 ? 1 : 2; }
 
+    /// The center of a square, which may lie beyond the grid.
+    glm::dvec3 center(int row, int column) const noexcept;
+
     /// The squares that count, ascending, and their centers.
     const std::vector<std::uint32_t>& squares() const noexcept { return squares_; }
     const std::vector<glm::dvec3>& points() const noexcept { return points_; }
