@@ -27,6 +27,7 @@
 #include "tools/options/model_argument.h"
 #include "tools/options/up_option.h"
 #include "tools/options/view_choice.h"
+#include "tools/usage_words.h"
 
 using rimline::ErrorCode;
 using rimline::HomogeneousPoint;
@@ -197,7 +198,11 @@ void parse(CLI::App& app, const rimline_option* options, size_t count) {
         words.push_back("--" + name +
                         (options[i].value == nullptr ? "" : "=" + std::string(options[i].value)));
     }
-    app.parse(words);
+    try {
+        app.parse(words);
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(rimline::tools::usage_words(error, app));
+    }
 }
 
 rimline_bytes* bytes_of(std::string bytes) { return new rimline_bytes{std::move(bytes)}; }

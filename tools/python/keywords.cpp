@@ -13,6 +13,7 @@
 #include "tools/bindings/option_names.h"
 #include "tools/nearest_name.h"
 #include "tools/python/arrays.h"
+#include "tools/usage_words.h"
 
 namespace rimline::python {
 
@@ -75,16 +76,13 @@ struct Words {
         words.push_back(option_name(keyword) + "=" + text);
         written.emplace_back(text, py::reinterpret_borrow<py::object>(value));
     }
-    // The message with `(1, 2)` for `'1,2'`, and with `True not in` for `on not in`.
+    // The message with `(1, 2)` for `'1,2'`, and with `True` for `'on'`.
     std::string as_written(std::string message) const {
         for (const auto& [text, value] : written) {
-            const std::string meant = py::repr(value);
-            for (const auto& [said, better] :
-                 {std::pair("not '" + text + "'", "not " + meant),
-                  std::pair(": " + text + " not in ", ": " + meant + " not in ")}) {
-                const std::size_t at = message.find(said);
-                if (at != std::string::npos) message.replace(at, said.size(), better);
-            }
+            const std::string said = "not '" + text + "'";
+            const std::size_t at = message.find(said);
+            if (at != std::string::npos)
+                message.replace(at, said.size(), "not " + py::repr(value).cast<std::string>());
         }
         return message;
     }
@@ -181,7 +179,7 @@ void parse_keywords(CLI::App& app, const py::dict& keywords) {
     try {
         app.parse(words.words);
     } catch (const CLI::ParseError& error) {
-        throw py::value_error(words.as_written(in_keywords(error.what())));
+        throw py::value_error(words.as_written(in_keywords(tools::usage_words(error, app))));
     }
 }
 

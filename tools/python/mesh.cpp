@@ -22,6 +22,9 @@ namespace py = pybind11;
 
 namespace {
 
+// As messages have a mesh of arrays.
+constexpr const char* k_unnamed = "the mesh";
+
 // Taking the interpreter back may take a turn of another thread, 5 ms.
 constexpr std::size_t k_many_rows = 100'000;
 
@@ -48,7 +51,7 @@ SharedMesh mesh_of_arrays(const py::object& vertices, const py::object& faces, c
     SharedMesh mesh = long_result(progress, [&](const LongCall& call) {
         source.positions = vertex_rows.float_positions(call.part(0.0, 0.05));
         source.triangles = face_rows.faces(source.positions.size(), call.part(0.05, 0.1));
-        return std::make_shared<BoundMesh>("the mesh", std::move(source), welding,
+        return std::make_shared<BoundMesh>(k_unnamed, std::move(source), welding,
                                            call.part(0.1, 1.0));
     });
     const std::string warning = mesh->lost_shape_warning();
@@ -172,7 +175,7 @@ py::object system_name_of(const BoundMesh& mesh) {
 }
 
 py::str description_of(const BoundMesh& mesh) {
-    return message_text("<rimline.Mesh " + mesh.name() + ": " +
+    return message_text("<rimline.Mesh " + (mesh.name() == k_unnamed ? "" : mesh.name() + ": ") +
                         std::to_string(mesh.mesh().vertex_count()) + " vertices, " +
                         std::to_string(mesh.mesh().face_count()) + " faces, " +
                         std::to_string(mesh.mesh().edge_count()) + " edges>");

@@ -105,6 +105,11 @@ __all__ = [
     "render",
 ]
 
+
+def __dir__() -> list[str]:
+    return sorted(__all__)
+
+
 Vector = Union[Sequence[float], "npt.NDArray[Any]"]
 
 
