@@ -38,7 +38,7 @@ constexpr double k_below_horizon =
 // Of lit places: a third to two thirds, by a margin for what a grid of places misses.
 constexpr double k_least_lit = 1.0 / 3.0 + 0.03;
 constexpr double k_most_lit = 2.0 / 3.0 - 0.03;
-constexpr double k_dark_falloff = 0.05, k_light_falloff = 0.12;
+constexpr double k_dark_falloff = 0.03, k_light_falloff = 0.09;
 constexpr double k_least_usual = 0.5;
 constexpr double k_least_spread = 0.05;  // So that the other terms decide on one flat face.
 

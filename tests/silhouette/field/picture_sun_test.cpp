@@ -195,6 +195,17 @@ TEST_CASE("there is no sun where nothing is seen") {
     CHECK_FALSE(choose_picture_sun(SunSurvey(Mesh(MeshSource{})), frame, {}));
 }
 
+TEST_CASE("the large face of a box is lit, and not the two small ones alone") {
+    const Mesh box(make_built_in_shape("box", 12));
+    for (const glm::dvec3& direction : {glm::dvec3(0.45, 0.25, 1), {-1, 0.3, 0.35}}) {
+        const auto sun =
+            choose_picture_sun(SunSurvey(box), frame_towards(box, direction), {.has_ground = true});
+        REQUIRE(sun);
+        CHECK(sun->tones.lit > 0.5);
+        CHECK(sun->tones.lit < 0.95);
+    }
+}
+
 TEST_CASE("small parts far apart are seen, and lit as one of them alone") {
     const MeshSource box = make_built_in_shape("box", 12);
     MeshSource apart = box;
