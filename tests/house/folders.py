@@ -1,12 +1,17 @@
 """folders.py CHECK ROOT: the folders keep their order. CHECK is one of
 
+top     only TOP lies at the top, dot files aside; of what git has, if the tree is a repository
 few     engine/ and tools/ hold at most MAX_FILES files each, folders not counted
 mirror  every test lies in tests/ in a folder of the same path as the folder that it tests
 """
 
 import pathlib
+import shutil
+import subprocess
 import sys
 
+TOP = ("CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "docs", "engine", "shaders", "silhouette", "tests",
+       "tools")
 MAX_FILES = 36
 # Tests of no single folder: a Vulkan that fails on demand, exact arithmetic, the same result everywhere, and the long
 # comparison of all methods.
@@ -16,6 +21,16 @@ OTHER_TESTS = (
     "tests/silhouette/identity",
     "tests/silhouette/methods/proof",
 )
+
+
+def top(root):
+    if not (root / ".git").exists() or shutil.which("git") is None:
+        return
+    listed = subprocess.run(["git", "-c", "safe.directory=*", "ls-files", "-z"], cwd=root, capture_output=True, text=True,
+                            check=True).stdout
+    for name in sorted({path.split("/")[0] for path in listed.split("\0") if path}):
+        if name not in TOP and not name.startswith("."):
+            yield f"{name} does not belong at the top: remove it, or put it into a folder"
 
 
 def few(root):
@@ -34,7 +49,7 @@ def mirror(root):
 
 
 def main():
-    found = list({"few": few, "mirror": mirror}[sys.argv[1]](pathlib.Path(sys.argv[2])))
+    found = list({"top": top, "few": few, "mirror": mirror}[sys.argv[1]](pathlib.Path(sys.argv[2])))
     print("\n".join(found))
     return 1 if found else 0
 

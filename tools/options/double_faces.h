@@ -13,7 +13,8 @@ namespace rimline::tools {
 
 /// Removes each face that has the corners of an earlier one, at equal positions and in either order. The
 /// earlier one keeps its material for both sides. Degenerate faces stay. Polygons of both sheets are cut alike
-/// (triangulate.h); sheets whose file has triangles, cut along other diagonals, are not found. Returns how many are removed. O(faces) expected.
+/// (triangulate.h); sheets whose file has triangles, cut along other diagonals, are not found. Returns how many are
+/// removed. O(faces) expected.
 std::uint32_t remove_double_faces(MeshSource& source);
 
 /// The same for the model of this name, with a warning in the source that says how many there were.
