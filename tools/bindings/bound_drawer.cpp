@@ -48,7 +48,7 @@ std::unique_ptr<BoundDrawing> BoundDrawer::draw(const DrawOptions& options, bool
     const Turns::Turn turn(turns_, call);
     const Mesh& mesh = mesh_->mesh();
     LineCameraOptions camera_options = options.camera;
-    camera_options.settle_up(mesh, call.stop);
+    settle_up(mesh, camera_options.up, camera_options.is_up_auto, call.stop);
     camera_options.choose_view(mesh_->name(), mesh, call.part(0.0, 0.3));
     const LineCamera camera = camera_options.make_camera(mesh_->name(), mesh);
     const ShownPart part = shown_part(camera, mesh, options.page.aspect());

@@ -140,7 +140,7 @@ public:
 
     ExitStatus run(const Context& context) override {
         RunTimes& times = context.times;
-        models_.settle(picture_, ModelList::FirstCamera::not_used);
+        models_.settle(picture_, {.first_camera = false});
         scene_.has_painted_models = models_.has_paint();
         models_.check_usage([&] { check_usage(); });
         if (!picture_.eye) path_.read(context);
@@ -150,7 +150,7 @@ public:
                                       .size = picture_.size,
                                       .finish = scene_.finish(picture_)});
         const Mesh mesh =
-            models_.load_mesh(picture_, scene_.textures(), scene_.shows_file_colors(), context);
+            models_.load_mesh(picture_, {scene_.textures(), scene_.shows_file_colors()}, context);
         context.checkpoint();
         if (!picture_.eye) {
             Progress progress(context, "choosing the first view");

@@ -1,4 +1,4 @@
-// rimline convert: a model as GLB, with the classes of its edges.
+// rimline convert: a model, or several as one, as GLB, with the classes of its edges.
 
 #include <CLI/App.hpp>
 #include <algorithm>
@@ -19,6 +19,7 @@
 #include "tools/command.h"
 #include "tools/options/drawn_lines.h"
 #include "tools/options/model_argument.h"
+#include "tools/options/model_list.h"
 #include "tools/options/option_types.h"
 #include "tools/options/up_option.h"
 #include "tools/output/json_vector.h"
@@ -37,7 +38,8 @@ public:
     }
 
     void add_options(CLI::App& app) override {
-        model_.add_to(app);
+        models_.add_to(app, StandardInput::read, {.painted = "in the file that is written"});
+        app.get_option("MODEL")->required();
         add_output(app, "-o,--output", output_, ".glb", "The file to write")->required();
         CLI::Option* edges =
             app.add_flag("--edges", finds_edges_,
@@ -54,10 +56,11 @@ public:
                 ->check(CLI::IsMember({"bytes", "floats"}))
                 ->capture_default_str();
         // Directions along an axis may be numbers too.
-        add_up(app, up_, is_up_auto_,
+        add_up(app, up_.up, up_.is_up_auto,
                "Up axis: one of x, y, z, -x, -y, -z, or auto: y, unless the model clearly stands "
                "along another axis (default: as the file format says, else auto)")
             ->type_name("AXIS|auto");
+        models_.add_to_up(app);
         app.footer(
             "In the file y is up, as glTF wants it: a model that stands along another axis is "
             "turned.\n"
@@ -70,41 +73,48 @@ public:
             "Colors of materials, vertices and faces are written, and textures as the bytes of "
             "their "
             "files.\nTransparency is not.\n\n"
+            "Several models, or the models of a scene file, become one mesh. --at, --turn, "
+            "--scale, "
+            "--paint and --up\n"
+            "belong to the MODEL before them: first the model is scaled, then turned, then "
+            "moved.\n\n"
             "Examples:\n"
             "  rimline convert bunny.obj -o bunny.glb --edges\n"
             "  rimline convert fandisk.obj -o fandisk.glb --edges --crease 20 --normals floats");
     }
 
     ExitStatus run(const Context& context) override {
-        if (up_ &&
-            std::ranges::find(k_axis_directions, glm::dvec3(*up_)) == k_axis_directions.end())
+        models_.settle(up_, {.first_camera = false, .picture = false});
+        if (up_.up &&
+            std::ranges::find(k_axis_directions, glm::dvec3(*up_.up)) == k_axis_directions.end())
             throw UsageError("--up: of a file only an axis can be up: x, y, z, -x, -y or -z");
         check_output(context, output_);
-        OutputFile file(output_, model_.model);
-        MeshSource source = model_.load(context);
-        const std::size_t printed = source.warnings.size();  // load() has printed these.
+        models_.check_output_is_no_input(output_);
+        OutputFile file(output_);
+        MeshSource source = models_.load_source(up_, {.keeps_double_faces = true}, context);
+        const std::size_t printed = source.warnings.size();  // load_source() has printed these.
         embed_textures(source, {context.stop, {}});
         for (std::size_t i = printed; i < source.warnings.size(); ++i)
             print_warning(source.warnings[i]);
-        const Mesh mesh = make_mesh(model_.model, source, context);
+        const Mesh mesh = make_mesh(models_.name(), source, context);
         const std::vector<std::uint8_t> codes = std::move(source.edge_codes);
         source = {};
         if (normals_option_->count() > 0 && !finds_edges_ && codes.empty())
             throw UsageError("--normals: are those of silhouette edges: --edges finds them");
         std::vector<EdgeVisibility> edges;
         std::string bytes;
-        about_model(model_.model, [&] {
+        about_model(models_.name(), [&] {
             if (finds_edges_)
                 edges = edge_visibility(mesh, crease_flags_of(mesh));
             else if (!codes.empty())
                 edges = edge_visibility_of_codes(mesh, codes);
             context.times.end("classes of edges");
             context.checkpoint();
-            chosen_up_ = choose_up(mesh, up_, is_up_auto_);
+            models_.settle_up(mesh, up_, context);
             bytes = glb_bytes(mesh, {.edges = edges,
                                      .normals = normals_ == "bytes" ? SilhouetteNormals::bytes
                                                                     : SilhouetteNormals::floats,
-                                     .up = chosen_up_.up});
+                                     .up = models_.up().up});
         });
         context.checkpoint();
         file.write(bytes);
@@ -131,14 +141,15 @@ private:
                 classes = {{"hidden", counts.hidden},
                            {"silhouette", counts.silhouette},
                            {"hard", counts.hard}};
-            print_json(context, {{"model", model_.model},
-                                 {"vertices", mesh.vertex_count()},
-                                 {"faces", mesh.face_count()},
-                                 {"edge_visibility", std::move(classes)},
-                                 {"up", json_vector(chosen_up_.up)},
-                                 {"up_from", up_source_name(chosen_up_.source)},
-                                 {"bytes", bytes},
-                                 {"output", output_}});
+            nlohmann::ordered_json json = models_.json();
+            json.update(nlohmann::ordered_json{{"vertices", mesh.vertex_count()},
+                                               {"faces", mesh.face_count()},
+                                               {"edge_visibility", std::move(classes)},
+                                               {"up", json_vector(models_.up().up)},
+                                               {"up_from", up_source_name(models_.up().source)},
+                                               {"bytes", bytes},
+                                               {"output", output_}});
+            print_json(context, std::move(json));
             return;
         }
 
@@ -147,18 +158,16 @@ private:
         if (!edges.empty())
             std::printf("  edges       %u hidden, %u silhouette, %u hard\n", counts.hidden,
                         counts.silhouette, counts.hard);
-        print_up(chosen_up_);
+        print_up(models_.up());
     }
 
-    ModelArgument model_;
+    ModelList models_;
+    UpOptions up_;
     std::string output_;
     bool finds_edges_ = false;
     std::optional<double> crease_degrees_;
     const CLI::Option* normals_option_ = nullptr;
     std::string normals_ = "bytes";
-    std::optional<glm::vec3> up_;
-    bool is_up_auto_ = false;
-    ChosenUp chosen_up_;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// rimline draw: the lines of a model as a vector drawing.
+// rimline draw: the lines of a model, or of several, as a vector drawing.
 
 #include <CLI/App.hpp>
 #include <algorithm>
@@ -22,7 +22,8 @@
 #include "tools/options/line_camera.h"
 #include "tools/options/line_kind_names.h"
 #include "tools/options/line_page.h"
-#include "tools/options/model_argument.h"
+#include "tools/options/model_list.h"
+#include "tools/options/picture_options.h"
 #include "tools/options/sheet_views.h"
 #include "tools/output/drawing_file.h"
 #include "tools/output/drawing_json.h"
@@ -97,7 +98,10 @@ public:
     }
 
     void add_options(CLI::App& app) override {
-        model_.add_to(app);
+        // --scale is that of the page.
+        models_.add_to(app, StandardInput::read,
+                       {.scale = "--model-scale", .painted = "with --line-color material"});
+        app.get_option("MODEL")->required();
         app.add_option("-o,--output", output_,
                        "Drawing to write: FILE.svg, .pdf, .dxf or .json; - is standard output")
             ->type_name("FILE")
@@ -120,6 +124,7 @@ public:
                "3 if a count differs")
             ->group("Output");
         camera_.add_to(app);
+        models_.add_to_camera(app);
         views_option_ = add_sheet_views(app, views_)->group("Camera");
         page_.add_to(app);
         lines_.add_to(app);
@@ -127,18 +132,26 @@ public:
             "Each line is visible exactly where no face hides it. --hidden shows the others.\n"
             "Lines are silhouettes, borders of open meshes, creases, and intersections of "
             "surfaces.\n\n"
+            "Several models make a scene. --at, --turn, --model-scale, --paint and --up belong to "
+            "the MODEL before\n"
+            "them: first the model is scaled, then turned, then moved. Of a scene file, its models "
+            "and one of its\n"
+            "cameras are used; a camera with its own field of view shows what the picture of the "
+            "file shows.\n\n"
             "Examples:\n"
             "  rimline draw bunny.obj -o bunny.svg\n"
             "  rimline draw part.stl --hidden dashed --views front,top,right,iso --scale 1:2 -o "
             "part.pdf\n"
+            "  rimline draw table.obj lamp.obj --at 0,0.8,0 --lines silhouette,border -o room.svg\n"
             "  rimline draw shape:knot --ortho auto --page fit --lines silhouette -o knot.dxf");
     }
 
     ExitStatus run(const Context& context) override {
+        models_.settle(camera_, {.first_camera = views_.empty(), .picture = false});
         check_options();
         // Half of a line lies outside of what it encloses.
         page_.margin_mm = std::max(page_.margin_mm, 0.5 * lines_.width_mm);
-        const double aspect = page_.aspect();  // Reports margins without space before the work.
+        const double aspect = picture_aspect();
         check_output(context, output_);
         if (as_option_->count() > 0 && output_ != k_standard_output)
             throw UsageError("--as: needs -o -, which is standard output");
@@ -149,10 +162,12 @@ public:
                              output_ + "'");
         const DrawingFormat format = *named;
         check_format(format);
-        OutputFile file(output_, model_.model);
-        const Mesh mesh = model_.load_drawn_mesh(
-            context, lines_.has_material_colors ? TexturePictures::read : TexturePictures::skip);
-        check_has_extent(model_.model, mesh);
+        models_.check_output_is_no_input(output_);
+        OutputFile file(output_);
+        const TexturePictures textures =
+            lines_.has_material_colors ? TexturePictures::read : TexturePictures::skip;
+        const Mesh mesh = models_.load_mesh(camera_, {.textures = textures}, context);
+        check_has_extent(models_.name(), mesh);
         context.checkpoint();
 
         choose_view(mesh, context);
@@ -160,11 +175,11 @@ public:
         std::vector<ShownPart> parts;
         for (const LineCamera& camera : cameras) parts.push_back(shown_part(camera, mesh, aspect));
         const DrawingPage page =
-            about_model(model_.model, [&] { return place_views(page_, cells_of(parts)); });
+            about_model(models_.name(), [&] { return place_views(page_, cells_of(parts)); });
 
         DrawnTotals totals;
         nlohmann::ordered_json views = nlohmann::ordered_json::array();
-        PageDrawing drawing = about_model(model_.model, [&] {
+        PageDrawing drawing = about_model(models_.name(), [&] {
             return draw_views(context, mesh, cameras, parts, page, format, totals, views);
         });
         context.checkpoint();
@@ -173,19 +188,14 @@ public:
             case DrawingFormat::svg: file.write(drawing_svg(drawing)); break;
             case DrawingFormat::pdf: file.write(drawing_pdf(drawing)); break;
             case DrawingFormat::dxf: file.write(drawing_dxf(drawing)); break;
-            case DrawingFormat::json:
-                file.write(json_text({{"model", model_.model},
-                                      {"page_mm", {page.size_mm.x, page.size_mm.y}},
-                                      {"views", std::move(views)}}) +
-                           "\n");
-                break;
+            case DrawingFormat::json: file.write(drawing_text(page, std::move(views))); break;
         }
         context.checkpoint();
         file.commit();
         context.times.end("writing");
         if (totals.strokes == 0 &&
             (!lines_.draws_hidden() || DrawnTotals::sum(totals.hidden) == 0.0))
-            print_warning(model_.model +
+            print_warning(models_.name() +
                           ": the drawing is empty: no line of these kinds is on its page");
         if (context.json)
             print_result(context, mesh, cameras, page, totals);
@@ -193,19 +203,38 @@ public:
             print_summary(page, totals);
         return report_check(totals.check.first_difference.empty()
                                 ? ""
-                                : model_.model + ": " + totals.check.first_difference);
+                                : models_.name() + ": " + totals.check.first_difference);
     }
 
 private:
     void check_options() const {
         const bool is_sheet = views_option_->count() > 0;
-        if (is_sheet &&
-            (camera_.has_place() || camera_.target || camera_.fov_degrees || camera_.ortho_height))
+        if (is_sheet && (camera_.has_place() || !models_.camera_name().empty() || camera_.target ||
+                         camera_.fov_degrees || camera_.ortho_height))
             throw UsageError(
                 "--views: the views of a sheet are orthographic and show the whole model; leave "
-                "--eye, --azimuth, --elevation, --target, --fov and a height of --ortho out");
+                "--camera, --eye, --azimuth, --elevation, --target, --fov and a height of --ortho "
+                "out");
         if (page_.mm_per_unit && !is_sheet && !camera_.is_orthographic)
             throw UsageError("--scale: needs an orthographic view: --ortho auto, or --views");
+        if (!models_.has_scene_file() && models_.has_paint() && !lines_.has_material_colors)
+            throw UsageError("--paint: lines have it only with --line-color material");
+    }
+
+    // Width over height of what a camera shows that is not placed to show the whole model: of the space on the page, or
+    // with a camera of a scene file of the file's picture. Reports margins without space.
+    double picture_aspect() const {
+        const double of_page = page_.aspect();
+        if (models_.camera_name().empty()) return of_page;
+        const ImageSize size = models_.scene_size().value_or(PictureOptions().size);
+        return double(size.width) / size.height;
+    }
+
+    std::string drawing_text(const DrawingPage& page, nlohmann::ordered_json views) const {
+        nlohmann::ordered_json json = models_.json();
+        json["page_mm"] = {page.size_mm.x, page.size_mm.y};
+        json["views"] = std::move(views);
+        return json_text(json) + "\n";
     }
 
     void check_format(DrawingFormat format) const {
@@ -219,15 +248,14 @@ private:
     }
 
     void choose_view(const Mesh& mesh, const Context& context) {
-        camera_.settle_up(mesh, context.stop);
         if (!views_.empty()) return;
         Progress progress(context, "choosing the view");
-        camera_.choose_view(model_.model, mesh, progress.call());
+        camera_.choose_view(models_.name(), mesh, progress.call());
         context.times.end("choosing the view");
     }
 
     std::vector<LineCamera> make_cameras(const Mesh& mesh) const {
-        if (views_.empty()) return {camera_.make_camera(model_.model, mesh)};
+        if (views_.empty()) return {camera_.make_camera(models_.name(), mesh)};
         std::vector<LineCamera> cameras;
         for (const SheetView view : views_)
             cameras.push_back(sheet_camera(view, mesh, camera_.up_of(mesh)));
@@ -257,7 +285,7 @@ private:
         totals.surface_ms = watch.ms();
         context.times.end("contacts");
 
-        PageDrawing drawing = empty_drawing(lines_, "Lines of " + model_.model, page.size_mm);
+        PageDrawing drawing = empty_drawing(lines_, "Lines of " + models_.name(), page.size_mm);
         drawing.has_sources = has_sources_;
         std::optional<LineMaterials> materials;
         if (lines_.has_material_colors) {
@@ -351,30 +379,30 @@ private:
         const LineReport& report = totals.report;
         nlohmann::ordered_json views = nlohmann::ordered_json::array();
         for (const LineCamera& camera : cameras) views.push_back(camera_json(camera));
-        nlohmann::ordered_json result{{"model", model_.model},
-                                      {"faces", mesh.face_count()},
-                                      {"lines", report.lines},
-                                      {"chains", totals.chains},
-                                      {"runs", totals.runs},
-                                      {"strokes", totals.strokes},
-                                      {"visible_length", DrawnTotals::sum(totals.visible)},
-                                      {"hidden_length", DrawnTotals::sum(totals.hidden)},
-                                      {"visible_lengths", lengths_json(totals.visible)},
-                                      {"hidden_lengths", lengths_json(totals.hidden)},
-                                      {"crossings", report.crossings},
-                                      {"contacts", report.contacts},
-                                      {"components", report.components},
-                                      {"checks", report.checks},
-                                      {"failed_checks", report.failed_checks},
-                                      {"lines_by_rays", report.lines_by_rays},
-                                      {"undecided_lines", report.undecided_lines},
-                                      {"page", {page.size_mm.x, page.size_mm.y}},
-                                      {"mm_per_unit", page.views.front().mm_per_unit},
-                                      {"views", std::move(views)},
-                                      {"surface_ms", totals.surface_ms},
-                                      {"silhouette_ms", totals.silhouette_ms},
-                                      {"ms", totals.ms},
-                                      {"output", output_}};
+        nlohmann::ordered_json result = models_.json();
+        result.update(nlohmann::ordered_json{{"faces", mesh.face_count()},
+                                             {"lines", report.lines},
+                                             {"chains", totals.chains},
+                                             {"runs", totals.runs},
+                                             {"strokes", totals.strokes},
+                                             {"visible_length", DrawnTotals::sum(totals.visible)},
+                                             {"hidden_length", DrawnTotals::sum(totals.hidden)},
+                                             {"visible_lengths", lengths_json(totals.visible)},
+                                             {"hidden_lengths", lengths_json(totals.hidden)},
+                                             {"crossings", report.crossings},
+                                             {"contacts", report.contacts},
+                                             {"components", report.components},
+                                             {"checks", report.checks},
+                                             {"failed_checks", report.failed_checks},
+                                             {"lines_by_rays", report.lines_by_rays},
+                                             {"undecided_lines", report.undecided_lines},
+                                             {"page", {page.size_mm.x, page.size_mm.y}},
+                                             {"mm_per_unit", page.views.front().mm_per_unit},
+                                             {"views", std::move(views)},
+                                             {"surface_ms", totals.surface_ms},
+                                             {"silhouette_ms", totals.silhouette_ms},
+                                             {"ms", totals.ms},
+                                             {"output", output_}});
         if (verifies_)
             result["verify"] = {{"samples", totals.check.samples},
                                 {"undecided", totals.check.undecided},
@@ -411,7 +439,7 @@ private:
                     totals.silhouette_ms + totals.ms, totals.surface_ms);
     }
 
-    ModelArgument model_;
+    ModelList models_;
     std::string output_ = "rimline.svg", standard_format_ = "svg";
     bool has_sources_ = false;
     bool verifies_ = false;

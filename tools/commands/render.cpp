@@ -89,7 +89,7 @@ public:
 
     ExitStatus run(const Context& context) override {
         RunTimes& times = context.times;
-        models_.settle(picture_, ModelList::FirstCamera::used);
+        models_.settle(picture_, {});
         options_.has_painted_models = models_.has_paint();
         models_.check_usage([&] {
             options_.check_usage(picture_);
@@ -102,8 +102,8 @@ public:
         OutputFile output(output_);  // Reports a bad path before the work.
         std::optional<OutputFile> scene_output;
         if (!scene_output_.empty()) scene_output.emplace(scene_output_);
-        const Mesh mesh =
-            models_.load_mesh(picture_, options_.textures(), options_.shows_file_colors(), context);
+        const Mesh mesh = models_.load_mesh(
+            picture_, {options_.textures(), options_.shows_file_colors()}, context);
         context.checkpoint();
         choose_view(mesh, context);
         times.end("choosing the view");

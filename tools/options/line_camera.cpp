@@ -12,7 +12,6 @@
 #include "silhouette/lines/fitted_eye.h"
 #include "tools/command.h"
 #include "tools/options/option_types.h"
-#include "tools/options/up_option.h"
 
 namespace rimline::tools {
 
@@ -63,10 +62,6 @@ void LineCameraOptions::add_to(CLI::App& app) {
 
 glm::dvec3 LineCameraOptions::up_of(const Mesh& mesh) const {
     return choose_up(mesh, up, is_up_auto).up;
-}
-
-void LineCameraOptions::settle_up(const Mesh& mesh, const std::stop_token& stop) {
-    tools::settle_up(mesh, up, is_up_auto, stop);
 }
 
 void LineCameraOptions::choose_view(const std::string& model, const Mesh& mesh,

@@ -12,6 +12,7 @@
 #include "silhouette/lines/line_view.h"
 #include "silhouette/mesh/mesh.h"
 #include "tools/cli_classes.h"
+#include "tools/options/up_option.h"
 #include "tools/options/view_option.h"
 
 namespace rimline::tools {
@@ -33,12 +34,10 @@ struct ShownPart {
     bool is_cut;  ///< Lines can leave it.
 };
 
-struct LineCameraOptions {
+struct LineCameraOptions : UpOptions {
     std::optional<glm::vec3> eye;
     ViewOption view;  ///< Where the camera stands without `eye`.
     std::optional<glm::vec3> target;
-    std::optional<glm::vec3> up;
-    bool is_up_auto = false;            ///< --up auto.
     std::optional<double> fov_degrees;  ///< Not set: 35.
     bool is_orthographic = false;
     std::optional<double>
@@ -49,8 +48,6 @@ struct LineCameraOptions {
     bool has_place() const noexcept {
         return eye || view.name || view.azimuth_deg || view.elevation_deg;
     }
-    /// Stores the up direction that the mesh has, where none was given: every later call asks for it.
-    void settle_up(const Mesh& mesh, const std::stop_token& stop);
     /// As `render` chooses it, unless there is an eye: ViewOption::choose(). It comes before make_camera(), or a chosen
     /// view is the default one.
     void choose_view(const std::string& model, const Mesh& mesh, const LongCall& call = {});

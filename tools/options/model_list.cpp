@@ -26,22 +26,12 @@ namespace rimline::tools {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> k_place_options{"--at", "--turn", "--scale", "--paint"};
-
-Color parse_paint(const std::string& text) {
+Color parse_paint(const std::string& option, const std::string& text) {
     const std::optional<Color> color = color_of(text);
     if (!color || color->alpha != 255)
-        throw CLI::ValidationError("--paint", "expected #rgb, #rrggbb or a CSS color name, not '" +
-                                                  text + "'" + nearest_color(text));
+        throw CLI::ValidationError(option, "expected #rgb, #rrggbb or a CSS color name, not '" +
+                                               text + "'" + nearest_color(text));
     return *color;
-}
-
-// Reads a value of an option of places into a model, or checks it where there is none yet.
-void read_place(std::string_view option, const std::string& text, PlacedModel& model) {
-    if (option == "--at") model.at = parse_point("--at", text);
-    if (option == "--turn") model.turn = parse_turn("--turn", text);
-    if (option == "--scale") model.scale = parse_scale("--scale", text);
-    if (option == "--paint") model.paint = parse_paint(text);
 }
 
 glm::vec3 linear(const Color& color) {
@@ -59,11 +49,19 @@ glm::dmat3 matrix_of(const PlacedModel& model, const glm::dmat3& upright, const 
     return model.scale * turn * upright;
 }
 
+MeshSource read_model(const PlacedModel& model, const ModelList::Reading& reading,
+                      const BeginCall& begin) {
+    if (reading.keeps_double_faces)
+        return load_model(model.model, model.subdivide, FaceRequirement::faces, begin,
+                          reading.textures, model.format);
+    return load_drawn_model(model.model, model.subdivide, begin, reading.textures, model.format);
+}
+
 // Files that are read once, though they occur several times.
 class LoadedModels {
 public:
-    LoadedModels(const BeginCall& begin, TexturePictures textures)
-        : begin_(begin), textures_(textures) {}
+    LoadedModels(const BeginCall& begin, const ModelList::Reading& reading)
+        : begin_(begin), reading_(reading) {}
 
     const MeshSource& source(const PlacedModel& model) { return loaded(model).source; }
 
@@ -83,17 +81,15 @@ private:
 
     Loaded& loaded(const PlacedModel& model) {
         std::unique_ptr<Loaded>& entry = loaded_[{model.model, model.subdivide}];
-        if (!entry)
-            entry = std::make_unique<Loaded>(Loaded{
-                .source =
-                    load_drawn_model(model.model, model.subdivide, begin_, textures_, model.format),
-                .own = {},
-                .automatic = {}});
+        if (!entry) {
+            entry = std::make_unique<Loaded>();
+            entry->source = read_model(model, reading_, begin_);
+        }
         return *entry;
     }
 
     const BeginCall& begin_;
-    TexturePictures textures_;
+    ModelList::Reading reading_;
     std::map<std::pair<std::string, std::uint32_t>, std::unique_ptr<Loaded>> loaded_;
 };
 
@@ -111,7 +107,7 @@ ChosenUp up_of(const PlacedModel& model, const MeshSource& source,
     });
 }
 
-void ModelList::add_to(CLI::App& app, StandardInput input) {
+void ModelList::add_to(CLI::App& app, StandardInput input, const Words& words) {
     app_ = &app;
     constexpr const char* k_group = "Model";
     model_option_ =
@@ -123,51 +119,61 @@ void ModelList::add_to(CLI::App& app, StandardInput input) {
                },
                model_description(input) + "; several make a scene. Or one scene file, FILE.json")
             ->type_name("");
-    const auto add = [&](const char* name, const char* type, const char* description) {
-        app.add_option_function<std::vector<std::string>>(
-               name,
-               [name](const std::vector<std::string>& texts) {
-                   PlacedModel unused;
-                   for (const std::string& text : texts) read_place(name, text, unused);
-               },
-               description)
-            ->type_name(type)
-            ->allow_extra_args(false)
-            ->group(k_group);
+    const auto add = [&](const std::string& name, const char* type, const std::string& description,
+                         auto read) {
+        const CLI::Option* option = app.add_option_function<std::vector<std::string>>(
+                                           name,
+                                           [name, read](const std::vector<std::string>& texts) {
+                                               PlacedModel unused;
+                                               for (const std::string& text : texts)
+                                                   read(name, text, unused);
+                                           },
+                                           description)
+                                        ->type_name(type)
+                                        ->allow_extra_args(false)
+                                        ->group(k_group);
+        place_options_.push_back({option, read});
     };
+    using Text = const std::string&;
     add("--at", "X,Y,Z",
         "Moves the MODEL before it: where the origin of its file lies in the scene (default: "
-        "0,0,0)");
+        "0,0,0)",
+        [](Text option, Text text, PlacedModel& model) { model.at = parse_point(option, text); });
     add("--turn", "[AXIS,]DEGREES",
         "Turns the MODEL before it about its origin: counterclockwise about the scene's up, or "
-        "about x, y, z or X,Y,Z");
-    add("--scale", "NUMBER", "Scales the MODEL before it about its origin");
+        "about x, y, z or X,Y,Z",
+        [](Text option, Text text, PlacedModel& model) { model.turn = parse_turn(option, text); });
+    add(words.scale, "NUMBER", "Scales the MODEL before it about its origin",
+        [](Text option, Text text, PlacedModel& model) {
+            model.scale = parse_scale(option, text);
+        });
     add("--paint", "COLOR",
-        "Color of the MODEL before it, instead of those of its file, in ink, toon and hatch");
+        std::string("Color of the MODEL before it, instead of those of its file, ") + words.painted,
+        [](Text option, Text text, PlacedModel& model) {
+            model.paint = parse_paint(option, text);
+        });
     add_subdivide(app, subdivide_)->group(k_group);
     if (input == StandardInput::read) add_input_format(app, format_);
 }
 
-void ModelList::add_to_camera(CLI::App& app) {
+void ModelList::add_to_up(CLI::App& app) {
     up_option_ = app.get_option("--up");
     up_option_->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeFirst)
         ->description(up_option_->get_description() +
                       ". After the second MODEL or a later one: the direction of that model which "
                       "becomes the scene's up");
+}
+
+void ModelList::add_to_camera(CLI::App& app) {
+    add_to_up(app);
     app.add_option("--camera", camera_, "Camera of a scene file (default: its first)")
         ->type_name("NAME")
         ->group("Camera");
 }
 
-void ModelList::add_value(PlacedModel* model, const CLI::Option* option, const std::string& value) {
-    const std::string name = option->get_name();
-    if (!model) throw UsageError(name + ": name a MODEL before it; it says where that model lies");
-    read_place(name, value, *model);
-}
-
 // CLI11 keeps the order in which options occur, once for each value.
-void ModelList::read_command_line(PictureOptions& picture) {
+void ModelList::read_command_line(UpOptions& up) {
     std::map<const CLI::Option*, std::size_t> taken;
     std::set<std::pair<const CLI::Option*, std::size_t>> seen;
     for (const CLI::Option* option : app_->parse_order()) {
@@ -178,15 +184,17 @@ void ModelList::read_command_line(PictureOptions& picture) {
             continue;
         }
         const bool is_up = option == up_option_;
-        if (!is_up &&
-            std::ranges::find(k_place_options, option->get_name()) == k_place_options.end())
-            continue;
+        const auto place = std::ranges::find(place_options_, option, &PlaceOption::option);
+        if (!is_up && place == place_options_.end()) continue;
         if (!seen.insert({option, models_.size()}).second)
             throw UsageError(option->get_name() + ": give it only once" +
                              (arguments_.size() > 1 ? " for each MODEL" : ""));
         const std::string& value = option->results()[at];
+        if (!is_up && models_.empty())
+            throw UsageError(option->get_name() +
+                             ": name a MODEL before it; it says where that model lies");
         if (!is_up)
-            add_value(models_.empty() ? nullptr : &models_.back(), option, value);
+            place->read(option->get_name(), value, models_.back());
         else if (models_.empty())
             scene_up_ = parse_up_choice("--up", value);
         else
@@ -200,8 +208,8 @@ void ModelList::read_command_line(PictureOptions& picture) {
         check_format_is_of_input(models_.front().model, format_);
     // The scene has the up direction of its first model.
     if (!scene_up_) std::swap(scene_up_, models_.front().up);
-    picture.is_up_auto = scene_up_ && !scene_up_->direction;
-    picture.up = scene_up_ ? scene_up_->direction : std::nullopt;
+    up.is_up_auto = scene_up_ && !scene_up_->direction;
+    up.up = scene_up_ ? scene_up_->direction : std::nullopt;
 }
 
 void ModelList::use(const std::vector<SceneFile::Setting>& settings) {
@@ -209,7 +217,7 @@ void ModelList::use(const std::vector<SceneFile::Setting>& settings) {
         unused_.push_back(std::move(unused));
 }
 
-void ModelList::read_scene(PictureOptions& picture, FirstCamera first_camera) {
+void ModelList::read_scene(UpOptions& up, const Uses& uses) {
     const std::string path = models_.front().model;
     if (models_.front().is_placed() || subdivide_ > 0 || models_.front().up)
         throw UsageError(path + " is a scene: it places and refines its models itself");
@@ -221,7 +229,7 @@ void ModelList::read_scene(PictureOptions& picture, FirstCamera first_camera) {
             return option && option->count() > 0;
         });
     };
-    const bool wants_camera = !camera_.empty() || first_camera == FirstCamera::used;
+    const bool wants_camera = !camera_.empty() || uses.first_camera;
     const SceneFile::Camera* camera = wants_camera ? find_camera(*scene_, camera_) : nullptr;
     const bool has_own_eye = given({"--eye", "--azimuth", "--elevation", "--target"});
     if (has_own_eye && !camera_.empty())
@@ -235,28 +243,30 @@ void ModelList::read_scene(PictureOptions& picture, FirstCamera first_camera) {
                 settings.push_back(setting);
         use(settings);
     }
-    if (given({"--sun", "--light"})) scene_->lights.clear();
-    drop_replaced(*app_, scene_->lights);
-    drop_replaced(*app_, scene_->picture);
-    use(scene_->lights);
-    use(scene_->picture);
+    if (uses.picture) {
+        if (given({"--sun", "--light"})) scene_->lights.clear();
+        drop_replaced(*app_, scene_->lights);
+        drop_replaced(*app_, scene_->picture);
+        use(scene_->lights);
+        use(scene_->picture);
+    }
     // The up direction of the camera may be another one than that of the scene.
     if (!scene_up_) scene_up_ = scene_->up;  // Else it is the command line's.
     if (!scene_up_) std::swap(scene_up_, models_.front().up);
-    if (!picture.up && !picture.is_up_auto && scene_up_) {
-        picture.is_up_auto = !scene_up_->direction;
-        picture.up = scene_up_->direction;
+    if (!up.up && !up.is_up_auto && scene_up_) {
+        up.is_up_auto = !scene_up_->direction;
+        up.up = scene_up_->direction;
     }
 }
 
-void ModelList::settle(PictureOptions& picture, FirstCamera first_camera) {
-    read_command_line(picture);
+void ModelList::settle(UpOptions& up, const Uses& uses) {
+    read_command_line(up);
     const auto is_scene = [](const PlacedModel& m) { return is_scene_file(m.model); };
     if (std::ranges::any_of(models_, is_scene)) {
         if (models_.size() > 1)
             throw UsageError("MODEL: a scene file stands alone; add other models to the file");
         name_ = models_.front().model;
-        read_scene(picture, first_camera);
+        read_scene(up, uses);
     } else {
         if (!camera_.empty()) throw UsageError("--camera: belongs to a scene file");
         for (const PlacedModel& model : models_) name_ += (name_.empty() ? "" : ", ") + model.model;
@@ -341,14 +351,13 @@ void ModelList::at_place(const PlacedModel& model, const std::function<void()>& 
     }
 }
 
-MeshSource ModelList::load(PictureOptions& picture, TexturePictures textures,
-                           bool keeps_file_colors, const BeginCall& begin) {
-    LoadedModels loaded(begin, textures);
+MeshSource ModelList::load(UpOptions& options, const Reading& reading, const BeginCall& begin) {
+    LoadedModels loaded(begin, reading);
     const PlacedModel& first = models_.front();
     at_place(first, [&] { up_ = loaded.up(first, scene_up_); });
-    if (!picture.up || picture.is_up_auto) picture.up = glm::vec3(up_.up);
-    const glm::dvec3 up = picture.ground_up ? glm::dvec3(*picture.ground_up) : up_.up;
-    picture.ground_up = glm::vec3(up);
+    if (!options.up || options.is_up_auto) options.up = glm::vec3(up_.up);
+    const glm::dvec3 up = options.ground_up ? glm::dvec3(*options.ground_up) : up_.up;
+    options.ground_up = glm::vec3(up);
 
     std::map<const MeshSource*, MeshSource> without_colors;
     std::vector<PlacedSource> placed;
@@ -360,7 +369,7 @@ MeshSource ModelList::load(PictureOptions& picture, TexturePictures textures,
             const glm::dvec3 own = loaded.up(model, model.up).up;
             upright = rotation_between(own, up);
         }
-        if (has_paint() && !keeps_file_colors && !source->materials.empty()) {
+        if (has_paint() && !reading.keeps_file_colors && !source->materials.empty()) {
             MeshSource& plain = without_colors[source];
             if (plain.positions.empty()) {
                 plain = *source;
@@ -378,24 +387,23 @@ MeshSource ModelList::load(PictureOptions& picture, TexturePictures textures,
     return join_sources(placed);
 }
 
-Mesh ModelList::load_mesh(PictureOptions& picture, TexturePictures textures, bool keeps_file_colors,
-                          const Context& context) {
-    if (is_plain()) {
-        const PlacedModel& model = models_.front();
-        const MeshSource source =
-            load_drawn_model(model.model, model.subdivide, context, textures, model.format);
-        Mesh mesh = make_mesh(model.model, source, context);
-        check_is_no_point(model.model, mesh);
-        up_ = settle_up(mesh, picture.up, picture.is_up_auto);
-        return mesh;
-    }
-    const MeshSource source = follow_progress(context, [&](const BeginCall& begin) {
-        return load(picture, textures, keeps_file_colors, begin);
+MeshSource ModelList::load_source(UpOptions& up, const Reading& reading, const Context& context) {
+    MeshSource source = follow_progress(context, [&](const BeginCall& begin) {
+        return is_plain() ? read_model(models_.front(), reading, begin) : load(up, reading, begin);
     });
     for (const std::string& warning : source.warnings) print_warning(warning);
     context.times.end("reading");
-    Mesh mesh = make_mesh(name_, source, context);
+    return source;
+}
+
+void ModelList::settle_up(const Mesh& mesh, UpOptions& up, const Context& context) {
+    if (is_plain()) up_ = tools::settle_up(mesh, up.up, up.is_up_auto, context.stop);
+}
+
+Mesh ModelList::load_mesh(UpOptions& up, const Reading& reading, const Context& context) {
+    Mesh mesh = make_mesh(name_, load_source(up, reading, context), context);
     check_is_no_point(name_, mesh);
+    settle_up(mesh, up, context);
     return mesh;
 }
 

@@ -14,7 +14,7 @@
 #include "tools/cli_classes.h"
 #include "tools/command.h"
 #include "tools/options/model_argument.h"
-#include "tools/options/picture_options.h"
+#include "tools/options/option_types.h"
 #include "tools/options/placed_model.h"
 #include "tools/options/scene_file.h"
 #include "tools/options/up_option.h"
@@ -33,18 +33,31 @@ std::string words_of(std::span<const PlacedModel> models);
 
 class ModelList {
 public:
+    /// What commands call differently.
+    struct Words {
+        const char* scale = "--scale";
+        const char* painted = "in ink, toon and hatch";  ///< Where --paint is seen.
+    };
     /// Adds MODEL, --subdivide, and --at, --turn, --scale and --paint, which belong to the MODEL before them; and
     /// --format, if standard input is read.
-    void add_to(CLI::App& app, StandardInput input = StandardInput::read);
-    /// Lets --up, which `app` must have, occur once for each MODEL. Adds --camera, of a scene file.
+    void add_to(CLI::App& app, StandardInput input, const Words& words);
+    void add_to(CLI::App& app, StandardInput input = StandardInput::read) {
+        add_to(app, input, Words());
+    }
+    /// Lets --up, which `app` must have, occur once for each MODEL.
+    void add_to_up(CLI::App& app);
+    /// The same, and adds --camera, of a scene file.
     void add_to_camera(CLI::App& app);
 
-    /// Whether a scene file gives its first camera, where --camera names none.
-    enum class FirstCamera { used, not_used };
+    /// What a scene file gives beside its models and what they say of up: its first camera, where --camera names none,
+    /// and its lights and picture.
+    struct Uses {
+        bool first_camera = true, picture = true;
+    };
     /// Reads the command line in its order, and the scene file. Call it first in Command::run(). Gives options
     /// that a scene file sets and the user has not. Without a MODEL, the built-in scene is the model. Throws
     /// UsageError for options without a MODEL before them, and what read_scene_file() and use_settings() throw.
-    void settle(PictureOptions& picture, FirstCamera first_camera);
+    void settle(UpOptions& up, const Uses& uses);
 
     /// For messages: the model, the scene file, or the models with commas between them. Empty before settle() if no
     /// MODEL is given.
@@ -75,15 +88,21 @@ public:
     /// Subdivides each model as the one at its place in `models` is. Options say it of all models only. After settle();
     /// both lists must have the same length.
     void subdivide_as(std::span<const PlacedModel> models);
-    /// The models as one source, unless is_plain(). Settles --up: afterwards `picture.up` and
-    /// `picture.ground_up` are set. Where models are painted, the others lose the colors of their files unless
-    /// `keeps_file_colors`.
-    MeshSource load(PictureOptions& picture, TexturePictures textures, bool keeps_file_colors,
-                    const BeginCall& begin);
-    /// The models as one mesh, with progress and warnings. Settles --up: afterwards `picture.up` is set.
-    Mesh load_mesh(PictureOptions& picture, TexturePictures textures, bool keeps_file_colors,
-                   const Context& context);
-    /// Of the scene, after load() or load_mesh().
+    struct Reading {
+        TexturePictures textures = TexturePictures::skip;
+        bool keeps_file_colors = true;    ///< Where others are painted.
+        bool keeps_double_faces = false;  ///< double_faces.h
+    };
+    /// The models as one source, unless is_plain(). Settles --up: afterwards `up.up` and `up.ground_up` are set.
+    MeshSource load(UpOptions& up, const Reading& reading, const BeginCall& begin);
+    /// The same with progress and warnings, also for a plain model, whose up direction its mesh has to say: then
+    /// settle_up() is to be called.
+    MeshSource load_source(UpOptions& up, const Reading& reading, const Context& context);
+    /// Settles the up direction of a plain model.
+    void settle_up(const Mesh& mesh, UpOptions& up, const Context& context);
+    /// The models as one mesh, with progress and warnings. Settles --up: afterwards `up.up` is set.
+    Mesh load_mesh(UpOptions& up, const Reading& reading, const Context& context);
+    /// Of the scene, after load() or settle_up().
     const ChosenUp& up() const noexcept { return up_; }
 
     /// "model", and where models are placed, the list "models".
@@ -94,9 +113,14 @@ public:
     bool has_several() const noexcept { return !scene_ && !is_plain(); }
 
 private:
-    void add_value(PlacedModel* model, const CLI::Option* option, const std::string& value);
-    void read_command_line(PictureOptions& picture);
-    void read_scene(PictureOptions& picture, FirstCamera first_camera);
+    // An option that says how a model lies, and how its value is read into the model, or is checked.
+    struct PlaceOption {
+        const CLI::Option* option;
+        void (*read)(const std::string& option, const std::string& text, PlacedModel& model);
+    };
+
+    void read_command_line(UpOptions& up);
+    void read_scene(UpOptions& up, const Uses& uses);
     void use(const std::vector<SceneFile::Setting>& settings);
     // Calls `read`. Where it cannot read the file of `model`, one of models_, the message begins with the place in the
     // scene file that names it.
@@ -104,6 +128,7 @@ private:
 
     CLI::App* app_ = nullptr;
     CLI::Option *model_option_ = nullptr, *up_option_ = nullptr;
+    std::vector<PlaceOption> place_options_;
     std::vector<std::string> arguments_;
     std::uint32_t subdivide_ = 0;
     std::string format_, camera_, name_;

@@ -10,19 +10,17 @@
 
 #include "tools/cli_classes.h"
 #include "tools/options/option_types.h"
+#include "tools/options/up_option.h"
 #include "tools/options/view_option.h"
 
 namespace rimline::tools {
 
-struct PictureOptions {
+struct PictureOptions : UpOptions {
     // Camera. The command chooses what is not given. --fov and --ortho exclude each other.
     std::optional<glm::vec3> eye;
     ViewOption view;  ///< Where the camera stands without `eye`.
     std::optional<glm::vec3> target;
-    std::optional<glm::vec3> up;
-    bool is_up_auto = false;             ///< --up auto.
-    std::optional<glm::vec3> ground_up;  ///< Not set: `up`.
-    std::optional<double> fov_degrees;   ///< Vertical. Not set: fov().
+    std::optional<double> fov_degrees;  ///< Vertical. Not set: fov().
     std::optional<double> ortho_height;
     // Whose silhouette is drawn: that of the camera, of a point, or of a direction towards the viewer.
     std::optional<glm::vec3> silhouette_from, silhouette_direction;

@@ -188,6 +188,8 @@ glm::dmat3 rotation_between(const glm::dvec3& from, const glm::dvec3& to) {
 
 MeshSource join_sources(std::span<const PlacedSource> sources) {
     MeshSource all;
+    const bool have_codes = std::ranges::all_of(
+        sources, [](const PlacedSource& placed) { return !placed.source->edge_codes.empty(); });
     JoinedMaterials materials(all.materials);
     if (!sources.empty()) {
         all.up = sources.front().source->up;
@@ -214,6 +216,9 @@ MeshSource join_sources(std::span<const PlacedSource> sources) {
         append_positions(all, placed);
         for (const auto& [a, b, c] : source.triangles)
             all.triangles.push_back({first + a, first + b, first + c});
+        if (have_codes)
+            all.edge_codes.insert(all.edge_codes.end(), source.edge_codes.begin(),
+                                  source.edge_codes.end());
         materials.append(placed, faces_before);
         for (const std::string& warning : source.warnings)
             if (std::ranges::find(all.warnings, warning) == all.warnings.end())

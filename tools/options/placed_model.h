@@ -79,10 +79,10 @@ struct PlacedSource {
     std::string name = {};                ///< Begins messages.
 };
 
-/// All sources as one, in their order: positions, triangles, materials and warnings; the up axis is that of the
-/// first. Positions are rounded to float; a model whose shape is lost by that is a warning. A source that
-/// occurs several times has its materials once. Throws Error{too_large} where positions leave the range of
-/// coordinates, or if there are more than 2^30 triangles.
+/// All sources as one, in their order: positions, triangles, materials, warnings, and if all have them, codes of edges;
+/// the up axis is that of the first. Positions are rounded to float; a model whose shape is lost by that is a warning.
+/// A source that occurs several times has its materials once. Throws Error{too_large} where positions leave the range
+/// of coordinates, or if there are more than 2^30 triangles.
 MeshSource join_sources(std::span<const PlacedSource> sources);
 
 }  // namespace rimline::tools

@@ -21,6 +21,13 @@ CLI::Option* add_up(CLI::App& app, std::optional<glm::vec3>& up, bool& is_auto,
 /// The same, with the description of commands that choose as choose_up() does.
 CLI::Option* add_up_or_auto(CLI::App& app, std::optional<glm::vec3>& up, bool& is_auto);
 
+/// What options say.
+struct UpOptions {
+    std::optional<glm::vec3> up;         ///< In the picture.
+    bool is_up_auto = false;             ///< --up auto.
+    std::optional<glm::vec3> ground_up;  ///< Of what stands on the ground. Not set: `up`.
+};
+
 struct ChosenUp {
     enum class Source {
         option,

@@ -30,7 +30,7 @@ void ViewArguments::add_to(CLI::App& app) {
 }
 
 void ViewArguments::settle() {
-    models_.settle(picture_, ModelList::FirstCamera::used);
+    models_.settle(picture_, {});
     scene_.has_painted_models = models_.has_paint();
     models_.check_usage([&] { scene_.check_usage(picture_); });
     for (const PlacedModel& model : models_.models())
@@ -56,7 +56,7 @@ Document ViewArguments::open_document_of_models(const BeginCall& begin) {
     if (cloud_.as_points || cloud_.drop_bad)
         throw UsageError("--as-points and --drop-bad: a scene has no clouds");
     const MeshSource source =
-        models_.load(picture_, TexturePictures::read, scene_.shows_file_colors(), begin);
+        models_.load(picture_, {TexturePictures::read, scene_.shows_file_colors()}, begin);
     auto document = std::make_unique<ModelDocument>(models_.name(), source, begin);
     document->set_models(models_.models(), glm::dvec3(*picture_.ground_up),
                          scene_.shows_file_colors());

@@ -283,6 +283,67 @@ def test_animate_draws_scenes():
                        folders[3])["path"] == "still"
 
 
+def test_draw_draws_the_lines_of_scenes():
+    with tempfile.TemporaryDirectory() as folder:
+        corners = [(0, 0, 0), (1, 0, 0.5), (0, 1, 0)]
+        moved = [(2 * x + 0.5, 2 * y, 2 * z - 1) for x, y, z in corners]
+        one = write_faces(os.path.join(folder, "one.obj"), corners)
+        both = write_faces(os.path.join(folder, "both.obj"), corners, moved)
+        scene = write_scene(folder, {"rimline_scene": 1, "up": "y",
+                                     "models": [{"model": "one.obj"}, {"model": "one.obj", "at": [0.5, 0, -1], "scale": 2}],
+                                     "lights": [{"sun": [1, 1, 1]}],
+                                     "cameras": {"front": {"eye": "front"},
+                                                 "cut": {"eye": [0, 0.5, 3], "target": [0.5, 0.5, 0], "fov": 20}},
+                                     "picture": {"style": "toon", "lines": False, "hidden": True, "size": "320x80"}})
+        def lines(*arguments):
+            path = os.path.join(folder, "a.json")
+            said = succeed("draw", *arguments, "-o", path)
+            with open(path) as file:
+                return json.load(file), said
+        whole, _ = lines(both, "--up", "y", "--eye", "front")
+        placed, said = lines("--up", "y", one, one, "--at", "0.5,0,-1", "--model-scale", "2", "--eye", "front")
+        of_file, _ = lines(scene)
+        assert whole["views"][0]["chains"] and said["faces"] == 2
+        for drawing in (placed, of_file):
+            assert [m.get("at") for m in drawing["models"]] == [None, [0.5, 0, -1]]
+            assert drawing["views"] == whole["views"]
+        # A camera with its own lens shows what render shows: four times as wide as high, on a page of any form.
+        for page in ("a4", "100x300"):
+            left, low, right, high = lines(scene, "--camera", "cut", "--page", page)[0]["views"][0]["page"]["frame_mm"]
+            assert abs((right - left) / (high - low) - 4) < 1e-6
+        # The views of a sheet are of the whole scene, without its cameras.
+        assert [view["name"] for view in lines(scene, "--views", "front,top")[0]["views"]] == ["front", "top"]
+        for words, arguments in (("--camera", (scene, "--views", "front", "--camera", "cut")),
+                                 ("--camera: belongs to a scene file", (one, "--camera", "cut")),
+                                 ("--paint: lines have it only with --line-color material", (one, "--paint", "red")),
+                                 ("this is the model itself", (scene, "-o", scene))):
+            assert words in fail(2, "draw", *arguments), arguments
+        svg = os.path.join(folder, "a.svg")
+        succeed("draw", one, "--paint", "#0f0", one, "--at", "2,0,0", "--line-color", "material", "-o", svg)
+        assert len(set(re.findall(rb'stroke="(rgb[^"]*)"', read_file(svg)))) == 1
+
+
+def test_convert_writes_scenes_as_one_mesh():
+    with tempfile.TemporaryDirectory() as folder:
+        corners = [(0, 0, 0), (1, 0, 0.5), (0, 1, 0)]
+        moved = [(2 * x + 0.5, 2 * y, 2 * z - 1) for x, y, z in corners]
+        one = write_faces(os.path.join(folder, "one.obj"), corners)
+        both = write_faces(os.path.join(folder, "both.obj"), corners, moved)
+        scene = write_scene(folder, {"rimline_scene": 1, "up": "y", "cameras": {"front": {"eye": "front"}},
+                                     "models": [{"model": "one.obj"}, {"model": "one.obj", "at": [0.5, 0, -1], "scale": 2}]})
+        outputs = [os.path.join(folder, name) for name in ("a.glb", "b.glb", "c.glb")]
+        succeed("convert", both, "--up", "y", "--edges", "-o", outputs[0])
+        said = succeed("convert", "--up", "y", one, one, "--at", "0.5,0,-1", "--scale", "2", "--edges", "-o", outputs[1])
+        assert len(said["models"]) == 2 and said["up"] == [0, 1, 0]
+        succeed("convert", scene, "--edges", "-o", outputs[2])
+        assert read_file(outputs[0]) == read_file(outputs[1]) == read_file(outputs[2])
+        # Classes of edges in files are kept where all models have them.
+        said = succeed("convert", outputs[0], outputs[0], "--at", "9,0,0", "-o", outputs[1])
+        assert said["edge_visibility"]["hard"] == 2 * succeed("info", outputs[0])["edge_visibility"]["hard"]
+        assert succeed("convert", outputs[0], one, "--at", "9,0,0", "-o", outputs[1])["edge_visibility"] is None
+        assert "only an axis" in fail(2, "convert", "--up", "1,1,0", one, one, "--at", "1,0,0", "-o", outputs[1])
+
+
 def test_bad_scene_files_are_errors_with_the_place():
     good = {"rimline_scene": 1, "models": [{"model": BOX}]}
     def changed(**keys):

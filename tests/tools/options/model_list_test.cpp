@@ -23,14 +23,13 @@ TEST_CASE("each part of loading a scene is told before it begins") {
     picture.add_camera_to(app);
     models.add_to_camera(app);
     app.parse("shape:knot:2000 shape:box --at 1,2,3 --subdivide 1");
-    models.settle(picture, ModelList::FirstCamera::used);
+    models.settle(picture, {});
 
     std::vector<std::string> parts;
-    const MeshSource source =
-        models.load(picture, TexturePictures::skip, true, [&](const std::string& task) {
-            parts.push_back(task);
-            return LongCall{};
-        });
+    const MeshSource source = models.load(picture, {}, [&](const std::string& task) {
+        parts.push_back(task);
+        return LongCall{};
+    });
     CHECK(source.triangles.size() > 4 * 2000);
     const std::vector<std::string> expected{"making shape:knot:2000", "subdividing shape:knot:2000",
                                             "comparing the faces of shape:knot:2000"};
