@@ -70,7 +70,8 @@ std::unique_ptr<BoundDrawing> BoundDrawer::draw(const DrawOptions& options, bool
         BoundDrawing{.drawing = draw_lines(camera.view, line_options, follows, drawn),
                      .page = empty_drawing(lines, "Lines of " + mesh_->name(), page.size_mm),
                      .place = place});
-    add_page_lines(result->drawing, place, page_line_options(lines, part, page.size_mm),
+    add_page_lines(result->drawing, place,
+                   page_line_options(lines, part, page.size_mm, place.mm_per_unit),
                    result->page.lines);
     call.checkpoint(1.0);
     if (!lines.draws_hidden())

@@ -323,11 +323,13 @@ private:
             totals.ms += watch.ms();
             totals.add(lines);
 
-            PageLineOptions page_options = page_line_options(lines_, parts[i], page.size_mm);
+            PageLineOptions page_options =
+                page_line_options(lines_, parts[i], page.size_mm, mm_per_unit);
             if (has_edges || materials) page_options.simplify_mm = lines_.simplify_mm;
             if (!has_curves(format)) page_options.curve_mm = 0.0;
             // A JSON file has the strokes of the drawing, which are counted.
-            if (format == DrawingFormat::json) page_options.visible_double_mm = 0.0;
+            if (format == DrawingFormat::json)
+                page_options.visible_double_mm = page_options.hidden_stubble_mm = 0.0;
             if (has_edges) page_options.mesh = &mesh;
             if (materials) page_options.materials = &*materials;
             page_options.point = camera.view.point();

@@ -47,9 +47,10 @@ void DrawnLines::add_to(CLI::App& app) {
         ->group(k_group);
     add_number(
         app, "--stubble", stubble_mm, 0.0, 1000.0,
-        "Leave out visible lines that a pen would not draw: those shorter than this that begin or "
-        "end away from others, those shorter than twice this that do both, and those shorter than "
-        "six times this within --gap of others. The outline stays (default: 4, in drawings below "
+        "Leave out lines that a pen would not draw: those shorter than this that begin or end away "
+        "from others, those shorter than twice this that do both, and of visible ones those "
+        "shorter than six times this within --gap of others. The outline stays (default: 4, in "
+        "drawings below "
         "192 mm a 48th of their longer side)")
         ->group(k_group);
     add_number(app, "--smooth", smooth_mm, 0.0, 100.0,
@@ -95,13 +96,12 @@ void DrawnLines::check_usage(bool has_curves) const {
 }
 
 LineOptions DrawnLines::line_options(double mm_per_unit, double side_mm) const {
-    const double usual_stubble_mm = std::min(k_stubble_mm, k_stubble_share * side_mm);
     return {.draws = kinds,
             .crease_angle_rad =
                 static_cast<float>(glm::radians(crease_degrees.value_or(k_clear_crease_degrees))),
             .gap = gap_mm / mm_per_unit,
             .min_length = min_length_mm.value_or(0.0) / mm_per_unit,
-            .stubble = stubble_mm.value_or(usual_stubble_mm) / mm_per_unit,
+            .stubble = stubble_mm_of(side_mm) / mm_per_unit,
             .smooth = smooth_mm / mm_per_unit,
             .shapes_hidden = draws_hidden(),
             .simplify = simplify_mm / mm_per_unit,

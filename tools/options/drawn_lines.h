@@ -2,6 +2,7 @@
 
 // Which lines `draw` draws, and how. Lengths are in mm on the page.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -48,6 +49,10 @@ struct DrawnLines {
     /// PageLineOptions::visible_double_mm: a tenth of a fine pen.
     double visible_double_mm() const { return keeps_coincident ? 0.0 : 0.03; }
     bool draws_hidden() const { return hidden != "none"; }
+    /// `stubble_mm` or its default in a drawing whose longer side is `side_mm`.
+    double stubble_mm_of(double side_mm) const {
+        return stubble_mm.value_or(std::min(k_stubble_mm, k_stubble_share * side_mm));
+    }
     /// `mm_per_unit` of picture coordinates, and the longer side of the drawing.
     LineOptions line_options(double mm_per_unit,
                              double side_mm = std::numeric_limits<double>::infinity()) const;

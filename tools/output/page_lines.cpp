@@ -10,10 +10,13 @@
 
 #include "silhouette/lines/line_simplify.h"
 #include "tools/output/page_doubles.h"
+#include "tools/output/page_stubble.h"
 
 namespace rimline::tools {
 
 namespace {
+
+constexpr double k_meeting_mm = 0.05;
 
 // The part of the segment in the rectangle, as shares of it (Liang, Barsky, 1984). Empty if first >= last.
 struct SegmentPart {
@@ -297,13 +300,16 @@ private:
 }  // namespace
 
 PageLineOptions page_line_options(const DrawnLines& drawn, const ShownPart& part,
-                                  const glm::dvec2& page_mm) {
+                                  const glm::dvec2& page_mm, double mm_per_unit) {
+    const glm::dvec2 sides_mm = mm_per_unit * (part.high - part.low);
     PageLineOptions options{
         .min_length_mm = drawn.min_length_mm.value_or(DrawnLines::k_min_hidden_mm),
         .double_mm = drawn.double_mm(),
         .visible_double_mm = drawn.visible_double_mm(),
         .min_visible_mm = drawn.min_length_mm.value_or(0.0),
         .curve_mm = drawn.curve_mm,
+        .hidden_stubble_mm =
+            drawn.draws_hidden() ? drawn.stubble_mm_of(std::max(sides_mm.x, sides_mm.y)) : 0.0,
         .page_mm = page_mm,
         .frame = {}};
     if (drawn.hidden_by > 0) options.hidden_by = drawn.hidden_by;
@@ -321,6 +327,10 @@ void add_page_lines(const LineDrawing& drawing, const ViewPlace& place,
         leave_out_visible_doubles(lines, first, options.visible_double_mm, options.min_visible_mm);
     if (options.double_mm > 0.0)
         leave_out_hidden_doubles(lines, first, options.double_mm, options.min_length_mm);
+    // Ends that meet, meet exactly but for rounding, where no gap is joined.
+    if (options.hidden_stubble_mm > 0.0)
+        leave_out_hidden_stubble(lines, first, options.hidden_stubble_mm,
+                                 std::max(3.0 * options.double_mm, k_meeting_mm));
     if (options.curve_mm > 0.0) {
         const FittedCurves curves(place, options);
         for (PageLine& line : std::span(lines).subspan(first)) line.curves = curves.of(line);

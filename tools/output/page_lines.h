@@ -41,6 +41,9 @@ struct PageLineOptions {
     /// Greater than 0: curves that leave the points by at most this; by less where they would otherwise leave the frame
     /// or the page by more than k_max_outside_mm.
     double curve_mm = 0.0;
+    /// Greater than 0: hidden lines that are this short and lead nowhere are left out (page_stubble.h). Ends are as near
+    /// to other lines as double_mm.
+    double hidden_stubble_mm = 0.0;
     std::optional<glm::dvec2> page_mm;      ///< The size of the page.
     std::optional<PictureRectangle> frame;  ///< Lines end at its borders.
     const Mesh* mesh = nullptr;             ///< If set, PageLine::edges is.
@@ -49,9 +52,9 @@ struct PageLineOptions {
     HomogeneousPoint point = {};
 };
 
-/// Of what is drawn of a part of the picture, as curves, on a page of this size.
+/// Of what is drawn of a part of the picture, as curves, on a page of this size, at this scale.
 PageLineOptions page_line_options(const DrawnLines& drawn, const ShownPart& part,
-                                  const glm::dvec2& page_mm);
+                                  const glm::dvec2& page_mm, double mm_per_unit);
 
 /// Appends the lines of the drawing.
 void add_page_lines(const LineDrawing& drawing, const ViewPlace& place,
