@@ -24,7 +24,7 @@ PictureOptions device_options(const std::string& device, bool validates) {
 RenderOptions::RenderOptions() {
     style.add_to(app);
     style.add_palette_to(app);
-    style.add_still_lines_to(app);
+    style.add_exact_lines_to(app);
     picture.add_silhouette_to(app);
     picture.add_camera_to(app);
     picture.add_ground_up_to(app);

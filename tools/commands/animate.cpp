@@ -111,6 +111,7 @@ public:
                                 ->group(k_group);
         scene_.add_to(app);
         scene_.add_palette_to(app);
+        scene_.add_frame_lines_to(app);
         picture_.add_camera_to(app);
         models_.add_to_camera(app);
         picture_.add_lights_to(app);
@@ -210,10 +211,13 @@ public:
         Animation animation(std::move(first), mesh, motion);
         times.end("index");
         const Result result = about_model(models_.name(), [&] {
+            std::optional<FrameLines> lines;
+            if (octree && scene_.draws_exact_lines())
+                lines.emplace(*octree, scene_, picture_.size, context);
             Renderer renderer(device.context());
             Progress progress(context, "drawing frames");
-            return Result{.frames = draw_frames(animation, frame_count, renderer, picture_.size,
-                                                *sink, progress.call()),
+            return Result{.frames = draw_frames(animation, frame_count, lines ? &*lines : nullptr,
+                                                renderer, picture_.size, *sink, progress.call()),
                           .stream_bytes = renderer.stream_bytes(),
                           .tracker_bytes = renderer.tracker_bytes()};
         });
@@ -246,6 +250,10 @@ private:
             throw UsageError(
                 "a named --eye, --azimuth and --elevation: say where an orbit begins; leave out "
                 "--path");
+        if (!deform_.empty() && (scene_.intersections || scene_.min_length))
+            throw UsageError(
+                std::string(scene_.intersections ? "--intersections" : "--min-length") +
+                ": lines of a model that deforms are drawn edge by edge, without");
         if (wave_step_option_->count() > 0 && deform_.empty())
             throw UsageError("--wave-step: belongs to --deform wave");
     }

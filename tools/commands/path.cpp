@@ -54,6 +54,7 @@ public:
             add_count(app, "--fps", fps_, 1, 240, "Frames a second of a film")->group("Output");
         style_.add_to(app);
         style_.add_palette_to(app);
+        style_.add_frame_lines_to(app);
         add_up_or_auto(app, picture_.up, picture_.is_up_auto)->group("Camera");
         picture_.add_lights_to(app);
         app.add_flag("--light-follow", light_follow_, "Move the lights with the camera")
@@ -173,9 +174,13 @@ private:
                 ground->instance(first, fade_of_ground(mesh, first.lights, up_of(mesh, picture_))));
         }
         Animation animation(std::move(first), mesh, std::move(motion));
+        std::optional<FrameLines> lines;
+        if (style_.draws_exact_lines())
+            lines.emplace(*device.octree, style_, picture_.size, context);
         Renderer renderer(device.device->context());
         Progress progress(context, "drawing frames");
-        draw_frames(animation, plan_.frames, renderer, picture_.size, sink, progress.call());
+        draw_frames(animation, plan_.frames, lines ? &*lines : nullptr, renderer, picture_.size,
+                    sink, progress.call());
     }
 
     void print_result(const Context& context, const Mesh& mesh, const ChosenViews& chosen,

@@ -51,7 +51,7 @@ public:
             ->group("Output");
         options_.add_to(app);
         options_.add_palette_to(app);
-        options_.add_still_lines_to(app);
+        options_.add_exact_lines_to(app);
         picture_.add_silhouette_to(app);
         outline_.add_to(app);
         picture_.add_camera_to(app);

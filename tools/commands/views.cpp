@@ -48,7 +48,7 @@ public:
                 ->group("Output");
         style_.add_to(app);
         style_.add_palette_to(app);
-        style_.add_still_lines_to(app);
+        style_.add_exact_lines_to(app);
         add_up_or_auto(app, picture_.up, picture_.is_up_auto)->group("Camera");
         picture_.add_lights_to(app);
         picture_.add_image_to(app, PictureOptions::Background::any);

@@ -42,7 +42,7 @@ Animation::Animation(Scene first, const Mesh& mesh, Motion motion)
     scene_.instances[0].deforming = &mesh;
 }
 
-const Scene& Animation::at(std::uint32_t frame) {
+Scene& Animation::at(std::uint32_t frame) {
     place_camera(frame);
     place_lights(frame);
     if (motion_.wave) {

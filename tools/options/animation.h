@@ -52,10 +52,10 @@ public:
     /// the animation.
     Animation(Scene first, const Mesh& mesh, Motion motion);
 
-    /// The scene of a frame, valid until the next call. Call it in order of frames: if the eye is at the
+    /// The scene of a frame, valid until the next call, which may be given lines. Call it in order of frames: if the eye is at the
     /// target, the camera keeps the view direction of the frame before. Throws Error{too_large} if a camera
     /// or a light leaves the range of coordinates.
-    const Scene& at(std::uint32_t frame);
+    Scene& at(std::uint32_t frame);
 
 private:
     void place_camera(std::uint32_t frame);

@@ -52,6 +52,8 @@ void drop_replaced(const CLI::App& app, std::vector<Setting>& settings) {
     if (!given(app, "--silhouette-from").empty() || !given(app, "--silhouette-direction").empty())
         drop(settings,
              {"--silhouette-from", "--silhouette-direction", "--intersections", "--min-length"});
+    if (given(app, "--line-visibility") == "depth" || !given(app, "--deform").empty())
+        drop(settings, {"--intersections", "--min-length"});
     // Lighting has a sun as key light, which lamps of the user replace.
     if (!given(app, "--light").empty()) drop(settings, {"--lighting"});
     if (given(app, "--lighting") != "three-point") return;

@@ -70,7 +70,7 @@ void SceneOptions::add_palette_to(CLI::App& app) {
         ->group("Style");
 }
 
-void SceneOptions::add_still_lines_to(CLI::App& app) {
+void SceneOptions::add_exact_lines_to(CLI::App& app) {
     constexpr const char* k_group = "Style";
     app.add_option("--intersections", intersections,
                    "Draw lines where surfaces pass through each other (default: on in ink and "
@@ -81,6 +81,16 @@ void SceneOptions::add_still_lines_to(CLI::App& app) {
                "Leave out lines shorter than this many pixels that begin or end away from others "
                "(default: a 60th of the picture's height)")
         ->group(k_group);
+}
+
+void SceneOptions::add_frame_lines_to(CLI::App& app) {
+    add_exact_lines_to(app);
+    app.add_option("--line-visibility", line_visibility,
+                   "exact: a line is drawn where no face hides it, as in still pictures; depth: "
+                   "edge by edge, where the depth of the surfaces shows it, with specks")
+        ->check(CLI::IsMember({"exact", "depth"}))
+        ->capture_default_str()
+        ->group("Style");
 }
 
 LineStyle SceneOptions::line_style(const Palette& shown_palette) const {
@@ -129,6 +139,9 @@ void SceneOptions::check_usage(const PictureOptions& picture) const {
         throw UsageError(std::string(intersections ? "--intersections" : "--min-length") +
                          ": a frozen silhouette (--silhouette-from, --silhouette-direction) has "
                          "neither intersections nor lines that are too short");
+    if (line_visibility == "depth" && (intersections || min_length))
+        throw UsageError(std::string(intersections ? "--intersections" : "--min-length") +
+                         ": lines have that only with --line-visibility exact");
     if (has_painted_models && has_material_lines && !shows_file_colors())
         throw UsageError(
             "--line-color material: with --paint it takes the colors of files; leave out --color "

@@ -33,7 +33,8 @@ struct SceneOptions {
     std::optional<double> crease_degrees;
     bool has_clear_creases = false;  ///< Those that stand out (clear_creases.h), in any style.
     std::optional<std::string> intersections;  ///< on or off.
-    std::optional<double> min_length;          ///< Of lines in still pictures, in pixels.
+    std::optional<double> min_length;          ///< Of lines with exact visibility, in pixels.
+    std::string line_visibility = "exact";     ///< Of animations: exact or depth.
     bool hidden = false;
     std::string shadows = "auto";
     bool ground = false;
@@ -42,14 +43,17 @@ struct SceneOptions {
     void add_to(CLI::App& app);
     /// --palette, which the window does not have.
     void add_palette_to(CLI::App& app);
-    /// Options of still pictures, whose lines have exact visibility.
-    void add_still_lines_to(CLI::App& app);
+    /// Options of lines with exact visibility.
+    void add_exact_lines_to(CLI::App& app);
+    /// The same, of animations, which can do without.
+    void add_frame_lines_to(CLI::App& app);
 
     /// A scene in this style with this camera and these lights (scene_lights.h), and no instances.
     Scene make_scene(const Camera& camera, std::vector<Light> lights,
                      const PictureOptions& picture) const;
     /// For lines of exact visibility in a scene with this palette.
     LineStyle line_style(const Palette& shown_palette) const;
+    bool draws_exact_lines() const { return draws_lines() && line_visibility == "exact"; }
     bool draws_lines() const { return lines ? *lines == "on" : style != "mask"; }
     /// What is left to do with the pictures of such a scene.
     PictureFinish finish(const PictureOptions& picture) const;

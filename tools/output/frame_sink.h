@@ -13,6 +13,7 @@
 #include "tools/options/animation.h"
 #include "tools/options/option_types.h"
 #include "tools/options/picture_finish.h"
+#include "tools/output/frame_lines.h"
 
 namespace rimline::tools {
 
@@ -51,11 +52,11 @@ struct FrameSinkOptions {
     PictureFinish finish{};
 };
 
-/// Draws and writes all frames of an animation. Each frame is submitted before the frame before it is read
+/// Draws and writes all frames of an animation, with these lines unless null: else the engine draws its own. Each frame is submitted before the frame before it is read
 /// back, and written while the next one is drawn. Returns one report per frame, whose `frame_ms` is the time by the
 /// clock from the end of the frame before: together, they are the time of the call.
 std::vector<FrameReport> draw_frames(Animation& animation, std::uint32_t frame_count,
-                                     Renderer& renderer, ImageSize size, FrameSink& sink,
-                                     const LongCall& call);
+                                     FrameLines* lines, Renderer& renderer, ImageSize size,
+                                     FrameSink& sink, const LongCall& call);
 
 }  // namespace rimline::tools

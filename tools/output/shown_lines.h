@@ -34,6 +34,8 @@ public:
     const PictureLines* draw(const Camera& camera, ImageSize size, const LineStyle& style,
                              const LongCall& call = {});
 
+    /// The viewpoint or direction of the last picture.
+    const HomogeneousPoint& point() const noexcept { return point_; }
     /// Silhouette edges and borders of the last picture, hidden ones too.
     std::uint32_t silhouette_count() const noexcept { return silhouette_count_; }
     /// Creases drawn as lines, on the silhouette or not.

@@ -10,7 +10,8 @@ import tempfile
 import time
 import zlib
 
-from program import LIT_PICTURE, PROGRAM, SMALL, fail, fail_for_memory, have_device, is_count, lit_share, png_rows, png_size, run, skip, succeed
+from program import (LIT_PICTURE, PROGRAM, SMALL, fail, fail_for_memory, have_device, is_count, lit_share, png_rows, png_size,
+                     read_file, run, skip, succeed)
 
 
 def check_animate(result, output, frame_count, size):
@@ -127,6 +128,34 @@ def test_animate_is_silent_under_validation():
                 skip(result.stderr.strip())
             assert result.returncode == 0, result.stderr
             assert json.loads(result.stdout)["validation_messages"] == 0
+
+
+def test_frames_are_drawn_as_still_pictures():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        frames, still = os.path.join(folder, "frames"), os.path.join(folder, "still.png")
+        views = ((3, 2, 4), (-4, 1, 2))
+        path = os.path.join(folder, "path.txt")
+        with open(path, "w") as file:
+            file.writelines("%d %d %d\n" % view for view in views)
+        # Its parts pass through each other, and noise makes short lines.
+        for model, options in (("shape:scene", ["--style", "blueprint", "--hidden"]), ("shape:terrain:3000", []),
+                               ("shape:knot:3000", ["--style", "hatch"]), ("shape:scene", ["--min-length", "40"]),
+                               ("shape:scene", ["--intersections", "off"])):
+            look = ["--sun", "1,1,1", "--target", "0,0,0", "--fov", "35", *SMALL, *options]
+            counted = succeed("animate", model, "--path", path, "-o", frames, *look)["frames"]
+            for number, view in enumerate(views):
+                drawn = succeed("render", model, "--eye", "%d,%d,%d" % view, "-o", still, *look)
+                assert read_file(os.path.join(frames, f"frame_{number:04}.png")) == read_file(still), (model, options)
+                # With borders, which never change.
+                assert counted[number]["silhouette"] <= drawn["silhouette"] and counted[number]["silhouette"] > 0
+            assert counted[0]["flips"] == 0 < counted[1]["flips"]
+            by_depth = succeed("animate", model, "--path", path, "--line-visibility", "depth", "-o", frames,
+                               *look[:-len(options) or None])["frames"]
+            for key in ("flips", "added", "removed", "silhouette"):
+                assert [frame[key] for frame in counted] == [frame[key] for frame in by_depth], (model, key)
+        assert "--line-visibility exact" in fail(2, "animate", "shape:box", "--line-visibility", "depth", "--min-length", "3")
+        assert "deforms" in fail(2, "animate", "shape:box", "--deform", "wave", "--intersections", "off")
 
 
 def test_animate_leaves_nothing_behind_when_it_fails():
