@@ -119,6 +119,8 @@ _)" + program.name +
         )" +
            paths +
            R"() path="$path $word" ;;
+        )" +
+           program.name + R"(\ batch\ --) path=)" + program.name + R"( ;;
         esac
     done
     case "$path $prev" in
@@ -194,7 +196,9 @@ std::string fish_completion(const CommandRow& program) {
            "\n    for word in (commandline -opc)[2..-1]\n"
            "        if contains -- \"$path $word\"" +
            paths +
-           "\n            set path \"$path $word\"\n        end\n    end\n"
+           "\n            set path \"$path $word\"\n        else if test \"$path $word\" = \"" +
+           program.name + " batch --\"\n            set path " + program.name +
+           "\n        end\n    end\n"
            "    test \"$path\" = \"$argv[1]\"\nend\n\n" +
            lines;
 }

@@ -245,7 +245,7 @@ def test_after_two_dashes_come_names():
                 assert result.returncode == 0, (arguments, name, result.stderr)
                 assert "./" + name in result.stdout, (arguments, result.stdout)
             assert run(*arguments, "--quiet", "a.obj", "--", cwd=folder).returncode == 0, arguments
-        for arguments in (["draw", "--", "-dash.obj", "-o", "q.svg"], ["info", "a.obj", "--", "--json"], ["info", "--", "a.obj", "--", "x"]):
+        for arguments in (["field", "--", "-dash.obj", "-o", "q.png"], ["info", "a.obj", "--", "--json"], ["info", "--", "a.obj", "--", "x"]):
             result = run(*arguments, cwd=folder)
             assert result.returncode == 2 and "argument not expected: " in result.stderr, (arguments, result)
             assert "; what follows -- are names, no options (see" in result.stderr
@@ -315,12 +315,12 @@ def test_a_scene_file_where_a_model_is_needed_names_what_takes_it():
         path = os.path.join(folder, "s.json")
         with open(path, "w") as file:
             file.write('{"rimline_scene": 1, "models": [{"model": "shape:box"}]}')
-        for command in (["info"], ["draw", "-o", os.path.join(folder, "a.svg")], ["views", "--no-ratio"], ["points"],
+        for command in (["info"], ["light", "--eye", "1,2,3"], ["views", "--no-ratio"], ["points"],
                         ["silhouette", "--from", "1,2,3"]):
             line = fail(1, command[0], path, *command[1:])
             if "without the engine" in line:
                 continue
-            assert path + ": is a scene file, which only render, animate and view take" in line, line
+            assert path + ": is a scene file, which only render, animate, view, draw and convert take" in line, line
         # Of another file with this ending it is not said.
         with open(path, "w") as file:
             file.write('{"scene": 0}')

@@ -33,6 +33,9 @@ def test_bash_completes_names_of_subcommands_options_and_values():
     assert completions("rimline", "field", "--weight", "=", "a") == ["area"]
     assert completions("rimline", "info", "") == ["a.obj", "sub"]
     assert completions("rimline", "silhouette", "--from", "") == []
+    assert completions("rimline", "batch", "models", "--", "vie") == ["views", "view"]
+    assert completions("rimline", "batch", "models", "--", "views", "--styl") == ["--style"]
+    assert completions("rimline", "batch", "models", "--", "views", "--style", "bl") == ["blueprint"]
 
 
 def test_scripts_for_shells_are_well_formed():

@@ -28,6 +28,13 @@ public:
 
     void add(const std::string& source) {
         if (source.starts_with('@')) return add_list(source.substr(1));
+        if (is_built_in_shape(source)) {
+            try {
+                check_model_name(source);
+            } catch (const CLI::ValidationError& error) {
+                throw UsageError(error.what());
+            }
+        }
         std::error_code unreadable;
         if (!is_built_in_shape(source) && !fs::exists(fs::status(source, unreadable)))
             throw Error(ErrorCode::io, source + ": cannot read: there is no such file or folder");
@@ -37,10 +44,9 @@ public:
     std::vector<BatchInput> inputs;
 
 private:
-    // What does not exist is taken, too.
+    // What does not exist is taken, too, as a file or as a shape: it fails alone.
     void add_named(const std::string& source) {
         if (is_built_in_shape(source)) {
-            check_model_name(source);
             std::string name = source;
             std::ranges::replace(name, ':', '_');
             return take(source, name);
@@ -126,11 +132,7 @@ private:
     }
 
     void take(const std::string& model, const std::string& name) {
-        std::error_code unreadable;
-        const bool is_shape = is_built_in_shape(model);
-        const std::string place =
-            is_shape ? model : fs::weakly_canonical(model, unreadable).string();
-        if (known_.insert(place).second) inputs.push_back({model, name});
+        if (known_.insert(place_of_model(model)).second) inputs.push_back({model, name});
     }
 
     const LongCall& call_;
@@ -139,6 +141,11 @@ private:
 };
 
 }  // namespace
+
+std::string place_of_model(const std::string& model) {
+    std::error_code unreadable;
+    return is_built_in_shape(model) ? model : fs::weakly_canonical(model, unreadable).string();
+}
 
 std::string BatchInput::stem() const { return fs::path(name).stem().string(); }
 std::string BatchInput::file() const { return fs::path(name).filename().string(); }
@@ -184,6 +191,10 @@ std::string digest_of(const std::string& model, const LongCall& call) {
     if (is_built_in_shape(model)) {
         hash = fnv1a(model.data(), model.size());
     } else {
+        std::error_code unreadable;
+        const fs::file_status status = fs::status(model, unreadable);
+        if (fs::exists(status) && !fs::is_regular_file(status))  // It may never end, or begin.
+            throw FileError(model, "is not a regular file; copy its contents to one");
         std::ifstream file(model, std::ios::binary);
         if (!file) throw Error(ErrorCode::io, model + ": cannot read");
         std::array<char, 1 << 16> buffer;

@@ -40,6 +40,9 @@ Shard parse_shard(const std::string& text);
 std::vector<BatchInput> find_batch_inputs(const std::vector<std::string>& sources,
                                           const std::string& outputs, const LongCall& call);
 
+/// Equal for two names of one file or shape.
+std::string place_of_model(const std::string& model);
+
 /// 64-bit FNV-1a.
 std::uint64_t fnv1a(const void* bytes, std::size_t size,
                     std::uint64_t hash = 0xcbf29ce484222325u) noexcept;

@@ -24,8 +24,6 @@ const LineSurface& drawable_surface(BoundMesh& mesh, const LongCall& call) {
 void check_options(const DrawOptions& options) {
     if (options.page.mm_per_unit && !options.camera.is_orthographic)
         throw UsageError("--scale: needs an orthographic view: --ortho");
-    if (options.lines.has_material_colors)
-        throw UsageError("--line-color: these drawings have one color");
     if (options.lines.hidden_by > 0 && !options.lines.draws_hidden())
         throw UsageError("--hidden-by: needs --hidden dashed or layer");
 }
@@ -65,14 +63,25 @@ std::unique_ptr<BoundDrawing> BoundDrawer::draw(const DrawOptions& options, bool
         line_options.shown_creases = creases_;
     }
 
+    std::optional<LineMaterials> materials;
+    if (lines.has_material_colors) {
+        materials.emplace(mesh);
+        line_options.simplify = 0.0;  // Points that are left out would take their colors with them.
+    }
+
     const LongCall drawn = call.part(0.3, 0.95);
     auto result = std::make_unique<BoundDrawing>(
         BoundDrawing{.drawing = draw_lines(camera.view, line_options, follows, drawn),
                      .page = empty_drawing(lines, "Lines of " + mesh_->name(), page.size_mm),
                      .place = place});
-    add_page_lines(result->drawing, place,
-                   page_line_options(lines, part, page.size_mm, place.mm_per_unit),
-                   result->page.lines);
+    PageLineOptions page_options = page_line_options(lines, part, page.size_mm, place.mm_per_unit);
+    if (materials) {
+        result->page.inks = materials->inks_on_paper();
+        page_options.simplify_mm = lines.simplify_mm;
+        page_options.materials = &*materials;
+        page_options.point = camera.view.point();
+    }
+    add_page_lines(result->drawing, place, page_options, result->page.lines);
     call.checkpoint(1.0);
     if (!lines.draws_hidden())
         std::erase_if(result->page.lines, [](const PageLine& line) { return line.is_hidden; });

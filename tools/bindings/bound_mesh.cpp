@@ -21,6 +21,41 @@ BoundMesh::BoundMesh(std::string name, MeshSource source, Welding welding, const
     positions_ = std::move(source.positions);
 }
 
+const std::vector<std::array<std::uint32_t, 3>>& BoundMesh::faces() {
+    return faces_.get({}, [&] {
+        std::vector<std::array<std::uint32_t, 3>> faces;
+        faces.reserve(mesh_.face_count());
+        for (const auto& [a, b, c] : mesh_.triangles())
+            faces.push_back({mesh_.file_vertex(a), mesh_.file_vertex(b), mesh_.file_vertex(c)});
+        return faces;
+    });
+}
+
+const std::vector<BoundMesh::Pair>& BoundMesh::edges() {
+    return edges_.get({}, [&] {
+        std::vector<Pair> edges;
+        edges.reserve(mesh_.edge_count());
+        for (std::uint32_t edge = 0; edge < mesh_.edge_count(); ++edge) {
+            const auto& [v, w] = mesh_.edge(EdgeId{edge}).vertices;
+            edges.push_back({mesh_.file_vertex(v), mesh_.file_vertex(w)});
+        }
+        return edges;
+    });
+}
+
+const std::vector<std::array<std::int64_t, 2>>& BoundMesh::edge_faces() {
+    return edge_faces_.get({}, [&] {
+        std::vector<std::array<std::int64_t, 2>> pairs;
+        pairs.reserve(mesh_.edge_count());
+        for (std::uint32_t edge = 0; edge < mesh_.edge_count(); ++edge) {
+            const std::span<const FaceId> faces = mesh_.faces_of(EdgeId{edge});
+            pairs.push_back(
+                {index(faces[0]), faces.size() > 1 ? std::int64_t{index(faces[1])} : -1});
+        }
+        return pairs;
+    });
+}
+
 std::string BoundMesh::lost_shape_warning() const {
     return rimline::lost_shape_warning(name_, positions_);
 }

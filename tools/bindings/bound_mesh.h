@@ -3,6 +3,8 @@
 // A mesh as other languages hold it (tools/python, tools/c), with what is found for it once and shared by all that use
 // it.
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -62,6 +64,12 @@ public:
         return octree_.get(call, [&] { return HoughOctree(mesh_, {}, call); });
     }
     const HoughOctree* octree_if_made() { return octree_.get_if_made(); }
+    using Pair = std::array<std::uint32_t, 2>;
+    /// The corners of each face, and the vertices of each edge, by the numbers of the file: of equal positions the
+    /// first stands for all. And the first two faces of each edge, -1 for the second of a border.
+    const std::vector<std::array<std::uint32_t, 3>>& faces();
+    const std::vector<Pair>& edges();
+    const std::vector<std::array<std::int64_t, 2>>& edge_faces();
     const LineSurface& line_surface(const LongCall& call) {
         return line_surface_.get(
             call, [&] { return LineSurface(mesh_, LineSurface::Contacts::found, call); });
@@ -73,6 +81,9 @@ private:
     Mesh mesh_;
     MadeOnce<HoughOctree> octree_;
     MadeOnce<LineSurface> line_surface_;
+    MadeOnce<std::vector<std::array<std::uint32_t, 3>>> faces_;
+    MadeOnce<std::vector<Pair>> edges_;
+    MadeOnce<std::vector<std::array<std::int64_t, 2>>> edge_faces_;
 };
 
 /// The same direction, with a length at which no component counts as zero beside another (k_min_point_component).

@@ -240,10 +240,17 @@ private:
         const std::vector<BatchInput> inputs =
             find_batch_inputs(sources_, folder_, progress.call());
         if (inputs.empty()) throw Error(ErrorCode::bad_input, "no model among what was given");
+        std::map<std::string, const BatchInput*> of_place;
+        for (const BatchInput& input : inputs)
+            of_place.emplace(place_of_model(input.model), &input);
         for (const BatchInput& input : inputs) {
             BatchTask task = make_batch_task(input, rest_, folder_);
             // Those of other shards too.
             for (std::size_t i = 0; i < task.outputs.size(); ++i) {
+                const auto model = of_place.find(place_of_model(task.outputs[i]));
+                if (model != of_place.end())
+                    throw UsageError(task.outputs[i] + " is a model of this batch, which " +
+                                     input.model + " would write: name another folder to write");
                 const auto [other, is_first] = of_output.try_emplace(task.outputs[i], &input);
                 if (is_first || other->second == &input) continue;
                 throw UsageError(other->second->model + " and " + input.model +

@@ -50,9 +50,10 @@ public:
                    "that bend by 30 and stand out)")
             ->needs(edges);
         normals_option_ =
-            app.add_option("--normals", normals_,
-                           "Normals of silhouette edges: bytes, as CesiumJS needs them, or floats, "
-                           "which are exact")
+            app.add_option(
+                   "--normals", normals_,
+                   "Normals of silhouette edges, found here or of a glTF file: bytes, as CesiumJS "
+                   "needs them, or floats, which are exact")
                 ->check(CLI::IsMember({"bytes", "floats"}))
                 ->capture_default_str();
         // Directions along an axis may be numbers too.
@@ -91,7 +92,7 @@ public:
         check_output(context, output_);
         models_.check_output_is_no_input(output_);
         OutputFile file(output_);
-        MeshSource source = models_.load_source(up_, {.keeps_double_faces = true}, context);
+        MeshSource source = models_.load_source(up_, {.for_file = true}, context);
         const std::size_t printed = source.warnings.size();  // load_source() has printed these.
         embed_textures(source, {context.stop, {}});
         for (std::size_t i = printed; i < source.warnings.size(); ++i)

@@ -16,7 +16,6 @@
 #include "silhouette/lines/line_surface.h"
 #include "silhouette/mesh/brute_force.h"
 #include "silhouette/mesh/clear_creases.h"
-#include "silhouette/srgb.h"
 #include "tools/command.h"
 #include "tools/options/drawn_lines.h"
 #include "tools/options/line_camera.h"
@@ -40,12 +39,6 @@ namespace {
 
 // --verify takes a sample every so many mm on the page: a quarter of a pixel of a screen.
 constexpr double k_verify_spacing_mm = 0.066;
-
-Color srgb_color(const glm::vec3& linear) {
-    const glm::vec3 srgb = glm::round(255.0f * srgb_from_linear(linear));
-    return {static_cast<std::uint8_t>(srgb.x), static_cast<std::uint8_t>(srgb.y),
-            static_cast<std::uint8_t>(srgb.z)};
-}
 
 // Of all views together.
 struct DrawnTotals {
@@ -290,8 +283,7 @@ private:
         std::optional<LineMaterials> materials;
         if (lines_.has_material_colors) {
             materials.emplace(mesh);
-            for (const glm::vec3& color : materials->inks().colors)
-                drawing.inks.push_back(srgb_color(line_shade(color, false)));
+            drawing.inks = materials->inks_on_paper();
         }
         std::vector<std::uint8_t> clear_creases;
         if (!lines_.crease_degrees && lines_.kinds[std::size_t(LineKind::crease)])

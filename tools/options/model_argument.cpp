@@ -216,9 +216,10 @@ void check_is_no_point(const std::string& model, const Mesh& mesh) {
 
 void throw_about_scene_file(const std::string& path) {
     if (!is_scene_file(path) || !holds_scene(path)) throw;
-    throw Error(
-        ErrorCode::bad_input,
-        path + ": is a scene file, which only render, animate and view take; give a model instead");
+    throw Error(ErrorCode::bad_input, path +
+                                          ": is a scene file, which only render, animate, view, "
+                                          "draw and convert take; give a model "
+                                          "instead");
 }
 
 void throw_about_model(const std::string& model) {

@@ -51,10 +51,20 @@ glm::dmat3 matrix_of(const PlacedModel& model, const glm::dmat3& upright, const 
 
 MeshSource read_model(const PlacedModel& model, const ModelList::Reading& reading,
                       const BeginCall& begin) {
-    if (reading.keeps_double_faces)
+    if (reading.for_file)
         return load_model(model.model, model.subdivide, FaceRequirement::faces, begin,
                           reading.textures, model.format);
     return load_drawn_model(model.model, model.subdivide, begin, reading.textures, model.format);
+}
+
+void warn_of_lost_edges(std::span<const PlacedSource> placed, MeshSource& all) {
+    const auto has_codes = [](const PlacedSource& model) {
+        return !model.source->edge_codes.empty();
+    };
+    const auto without = std::ranges::find_if_not(placed, has_codes);
+    if (without != placed.end() && std::ranges::any_of(placed, has_codes))
+        all.warnings.push_back(without->name +
+                               ": has no classes of edges; those of the other models are left out");
 }
 
 // Files that are read once, though they occur several times.
@@ -384,7 +394,9 @@ MeshSource ModelList::load(UpOptions& options, const Reading& reading, const Beg
                           .name = model.model});
     }
     begin("placing the models").checkpoint(0.0);
-    return join_sources(placed);
+    MeshSource all = join_sources(placed);
+    if (reading.for_file) warn_of_lost_edges(placed, all);
+    return all;
 }
 
 MeshSource ModelList::load_source(UpOptions& up, const Reading& reading, const Context& context) {

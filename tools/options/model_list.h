@@ -90,8 +90,9 @@ public:
     void subdivide_as(std::span<const PlacedModel> models);
     struct Reading {
         TexturePictures textures = TexturePictures::skip;
-        bool keeps_file_colors = true;    ///< Where others are painted.
-        bool keeps_double_faces = false;  ///< double_faces.h
+        bool keeps_file_colors = true;  ///< Where others are painted.
+        /// Double faces stay (double_faces.h), and classes of edges that cannot are a warning.
+        bool for_file = false;
     };
     /// The models as one source, unless is_plain(). Settles --up: afterwards `up.up` and `up.ground_up` are set.
     MeshSource load(UpOptions& up, const Reading& reading, const BeginCall& begin);

@@ -1,10 +1,23 @@
 #include "tools/output/line_materials.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "silhouette/srgb.h"
+
 namespace rimline::tools {
+
+std::vector<Color> LineMaterials::inks_on_paper() const {
+    std::vector<Color> inks;
+    for (const glm::vec3& color : inks_.colors) {
+        const glm::vec3 srgb = glm::round(255.0f * srgb_from_linear(line_shade(color, false)));
+        inks.push_back({static_cast<std::uint8_t>(srgb.x), static_cast<std::uint8_t>(srgb.y),
+                        static_cast<std::uint8_t>(srgb.z)});
+    }
+    return inks;
+}
 
 std::uint8_t LineMaterials::ink_of(EdgeId edge, const HomogeneousPoint& point) const {
     if (edge == k_no_edge || inks_.colors.empty()) return k_no_material_ink;

@@ -23,6 +23,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view k_part_ending = ".part";
+// Of the target's name: with the numbers behind it, names have at most 255 bytes.
+constexpr std::size_t k_max_stem = 220;
 
 // Takes .NUMBER from the end of `text`, or nothing.
 std::optional<pid_t> take_number(std::string_view& text) {
@@ -89,8 +91,15 @@ void remove_dead_parts_in(const fs::path& folder) {
 }  // namespace
 
 std::string part_name(const fs::path& target, int attempt) {
-    std::string name(".");
-    name.append(target.filename().string()).append(".").append(std::to_string(getpid()));
+    std::string name = "." + target.filename().string();
+    if (name.size() > k_max_stem) {
+        // Some file systems take whole characters of UTF-8 alone.
+        std::size_t end = k_max_stem;
+        while (end > k_max_stem - 3 && (static_cast<unsigned char>(name[end]) & 0xc0) == 0x80)
+            --end;
+        name.resize(end);
+    }
+    name.append(".").append(std::to_string(getpid()));
     return name.append(".").append(std::to_string(attempt)).append(k_part_ending);
 }
 

@@ -94,13 +94,14 @@ glm::dvec3 vector_of(py::handle value, const char* name) {
     if (PyUnicode_Check(value.ptr()) != 0 || PyBytes_Check(value.ptr()) != 0 ||
         PyAnySet_Check(value.ptr()) || PyDict_Check(value.ptr()))  // These have no order.
         throw_type(name, "three numbers", value);
-    const auto sequence = py::reinterpret_steal<py::object>(PySequence_Fast(value.ptr(), ""));
-    if (!sequence) throw_type_instead(name, "three numbers", value);
-    if (PySequence_Fast_GET_SIZE(sequence.ptr()) != 3)
+    // A copy: methods of its numbers may change a list.
+    const auto numbers = py::reinterpret_steal<py::tuple>(PySequence_Tuple(value.ptr()));
+    if (!numbers) throw_type_instead(name, "three numbers", value);
+    if (numbers.size() != 3)
         throw py::value_error(std::string(name) + ": expected three numbers, not " +
-                              std::to_string(PySequence_Fast_GET_SIZE(sequence.ptr())));
+                              std::to_string(numbers.size()));
     for (int i = 0; i < 3; ++i) {
-        vector[i] = number_of(PySequence_Fast_GET_ITEM(sequence.ptr(), i), name);
+        vector[i] = number_of(PyTuple_GET_ITEM(numbers.ptr(), i), name);
         if (!(std::abs(vector[i]) <= double{k_max_coordinate}))  // NaN too.
             throw py::value_error(std::string(name) +
                                   ": expected finite numbers within 2^60, not " +

@@ -122,21 +122,13 @@ py::array filled_rows(std::size_t rows, py::ssize_t columns, const Fill& fill) {
     return result;
 }
 
-py::array faces_in_file(const Mesh& mesh) {
-    return filled_rows<std::uint32_t>(mesh.face_count(), 3, [&](std::uint32_t* numbers) {
-        for (const Triangle& triangle : mesh.triangles())
-            for (const VertexId vertex : triangle) *numbers++ = mesh.file_vertex(vertex);
-    });
-}
-
-py::array edge_faces(const Mesh& mesh) {
-    return filled_rows<std::int64_t>(mesh.edge_count(), 2, [&](std::int64_t* numbers) {
-        for (std::uint32_t edge = 0; edge < mesh.edge_count(); ++edge) {
-            const std::span<const FaceId> faces = mesh.faces_of(EdgeId{edge});
-            *numbers++ = index(faces[0]);
-            *numbers++ = faces.size() > 1 ? std::int64_t{index(faces[1])} : -1;
-        }
-    });
+// Over the rows of numbers that the mesh of `self` keeps.
+template <typename Number, typename Row>
+py::array rows_of(const std::vector<Row>& rows, const py::object& self) {
+    return array_over<Number>(
+        rows.data(),
+        {static_cast<py::ssize_t>(rows.size()), static_cast<py::ssize_t>(std::tuple_size_v<Row>)},
+        self);
 }
 
 std::vector<EdgeId> edges_of_class(const Mesh& mesh, EdgeClass edge_class) {
@@ -145,12 +137,6 @@ std::vector<EdgeId> edges_of_class(const Mesh& mesh, EdgeClass edge_class) {
     edges.reserve(range.size());
     for (std::uint32_t edge = range.first; edge < range.last; ++edge) edges.push_back(EdgeId{edge});
     return edges;
-}
-
-py::array all_edges(const Mesh& mesh) {
-    std::vector<EdgeId> edges(mesh.edge_count());
-    for (std::uint32_t edge = 0; edge < mesh.edge_count(); ++edge) edges[edge] = EdgeId{edge};
-    return edge_vertices(mesh, edges);
 }
 
 // N x 2 x 3, in the coordinates of the mesh.
@@ -246,15 +232,24 @@ void bind_mesh(py::module_& module) {
             },
             "V x 3 float32: the positions as they were given, with unused ones. A view.")
         .def_property_readonly(
-            "faces", [](const BoundMesh& m) { return faces_in_file(m.mesh()); },
+            "faces",
+            [](const py::object& self) {
+                return rows_of<std::uint32_t>(self.cast<BoundMesh&>().faces(), self);
+            },
             "F x 3 uint32: corners as rows of vertices; of equal positions the first stands for "
-            "all.")
+            "all. A view.")
         .def_property_readonly(
-            "edges", [](const BoundMesh& m) { return all_edges(m.mesh()); },
-            "E x 2 uint32: the vertices of each edge, as rows of vertices.")
+            "edges",
+            [](const py::object& self) {
+                return rows_of<std::uint32_t>(self.cast<BoundMesh&>().edges(), self);
+            },
+            "E x 2 uint32: the vertices of each edge, as rows of vertices. A view.")
         .def_property_readonly(
-            "edge_faces", [](const BoundMesh& m) { return edge_faces(m.mesh()); },
-            "E x 2 int64: the first two faces of each edge; -1 for the second of a border.")
+            "edge_faces",
+            [](const py::object& self) {
+                return rows_of<std::int64_t>(self.cast<BoundMesh&>().edge_faces(), self);
+            },
+            "E x 2 int64: the first two faces of each edge; -1 for the second of a border. A view.")
         .def_property_readonly(
             "borders",
             [](const BoundMesh& m) {

@@ -16,6 +16,8 @@ namespace py = pybind11;
 namespace {
 
 constexpr py::ssize_t k_rows_per_checkpoint = 1 << 16;
+// Rows of integers are faces, of which Mesh takes no more.
+constexpr py::ssize_t k_max_faces = py::ssize_t{1} << 30;
 
 // As hasattr(), which would swallow a KeyboardInterrupt in a property.
 bool has_attribute(py::handle value, const char* attribute) {
@@ -70,6 +72,8 @@ NumberRows::NumberRows(py::handle value, std::string name, Kind kind)
     rows_ = array_.shape(0);
     if (kind == Kind::integer && kind_ == 'f' && rows_ > 0)
         throw py::type_error(name_ + ": expected integers, not " + type_text(array_));
+    if (kind == Kind::integer && rows_ > k_max_faces)
+        throw py::value_error(name_ + ": more than 2^30 rows");
     if (kind == Kind::real && rows_ >= py::ssize_t{std::numeric_limits<std::uint32_t>::max()})
         throw py::value_error(name_ + ": more than 2^32 - 2 rows");
     width_ = array_.itemsize();

@@ -82,6 +82,21 @@ def test_what_cannot_be_read_fails_alone():
             os.chmod(root / "more", 0o700)
 
 
+def test_what_is_no_file_fails_alone_and_at_once():
+    with tempfile.TemporaryDirectory() as folder:
+        out, pipe, listed = f"{folder}/out", f"{folder}/pipe.obj", f"{folder}/list.txt"
+        os.mkfifo(pipe)
+        pathlib.Path(listed).write_text(f"shape:box\n{pipe}\n/dev/zero\nshape:kont\nshape:box:99999999999999\n")
+        result, told = batch(f"@{listed}", "-o", out, "--", "info")
+        assert result.returncode == 1 and told["done"] == 1 and told["models"] == 5, (result, told)
+        failed = {line["input"]: line["error"] for line in entries(f"{out}/manifest.jsonl") if line["error"]}
+        assert all("is not a regular file" in failed[name] for name in (pipe, "/dev/zero")), failed
+        assert "did you mean 'knot'" in failed["shape:kont"], failed
+        # In the command line it is a usage error.
+        line = fail(2, "batch", "shape:kont", "-o", out, "--", "info")
+        assert "did you mean 'knot'" in line and "unexpected" not in line
+
+
 def test_models_have_the_names_of_folders_and_not_of_links_to_them():
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder) / "tree"

@@ -45,6 +45,17 @@ def test_advice_for_two_models_of_one_output_gives_each_its_own():
         assert succeed(*kinds, *arguments, "{out}/{path}.{ext}.svg")["done"] == 2
 
 
+def test_no_output_is_a_model_of_the_batch():
+    with tempfile.TemporaryDirectory() as folder:
+        root = models(folder)
+        (root / "m0_2.glb").write_text("a model")
+        # Not of another shard either.
+        for shard in ((), ("--shard", "1/2"), ("--shard", "2/2"), ("--dry-run",)):
+            line = fail(2, "batch", str(root), "-o", f"{folder}/out", *shard, "--", "convert", "-o", str(root) + "/{stem}_2.glb")
+            assert "m0_2.glb is a model of this batch, which" in line and "m0.obj would write" in line, line
+        assert (root / "m0_2.glb").read_text() == "a model" and not os.path.exists(f"{folder}/out")
+
+
 def test_words_in_braces_that_are_no_places_are_errors():
     for place in ("{steem}", "{Stem}", "{OUT}", "{stem2}", "{my_stem}"):
         words = fail(2, "batch", "shape:box", "--", "draw", "-o", place + ".svg")

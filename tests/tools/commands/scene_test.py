@@ -340,7 +340,9 @@ def test_convert_writes_scenes_as_one_mesh():
         # Classes of edges in files are kept where all models have them.
         said = succeed("convert", outputs[0], outputs[0], "--at", "9,0,0", "-o", outputs[1])
         assert said["edge_visibility"]["hard"] == 2 * succeed("info", outputs[0])["edge_visibility"]["hard"]
-        assert succeed("convert", outputs[0], one, "--at", "9,0,0", "-o", outputs[1])["edge_visibility"] is None
+        result = run("convert", outputs[0], one, "--at", "9,0,0", "--json", "-o", outputs[1])
+        assert json.loads(result.stdout)["edge_visibility"] is None
+        assert one + ": has no classes of edges; those of the other models are left out" in result.stderr
         assert "only an axis" in fail(2, "convert", "--up", "1,1,0", one, one, "--at", "1,0,0", "-o", outputs[1])
 
 

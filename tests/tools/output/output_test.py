@@ -32,6 +32,17 @@ def test_an_output_file_is_written_whole_or_not_at_all():
         assert stat.S_ISREG(os.stat(old).st_mode)
 
 
+def test_an_output_may_have_the_longest_name():
+    with tempfile.TemporaryDirectory() as folder:
+        for name in ("b" * 251 + ".svg", "\u00e4" * 125 + "b.svg", "\u4e00" * 83 + "a.svg"):
+            assert len(os.fsencode(name)) >= 254
+            path = os.path.join(folder, name)
+            for _ in range(2):
+                assert run("draw", "shape:box", "-o", path).returncode == 0, name
+            assert os.listdir(folder) == [name]
+            os.remove(path)
+
+
 def test_no_output_takes_the_place_of_the_model():
     with tempfile.TemporaryDirectory() as folder:
         obj = write_faces(os.path.join(folder, "a.obj"), TRIANGLE)

@@ -32,6 +32,27 @@ def value_that_raises(error):
     return Value()
 
 
+def test_numbers_that_change_their_list_are_read_once():
+    numbers = []
+
+    class Number:
+        def __float__(self):
+            numbers.clear()
+            return 1.0
+
+    for call in (BOX.silhouette, BOX.front_faces, lambda v: rimline.Tracker(BOX, v),
+                 lambda v: rimline.best_light(BOX, v)):
+        numbers[:] = [Number(), 2.0, 3.0]
+        call(numbers)
+        assert numbers == []
+
+
+def test_more_faces_than_a_mesh_takes_are_refused_before_they_are_copied():
+    faces = np.broadcast_to(np.array([0, 1, 2], np.uint8), (2**30 + 1, 3))
+    with pytest.raises(ValueError, match="faces: more than 2\\^30 rows"):
+        rimline.Mesh(TRIANGLE, faces)
+
+
 CONVERSIONS = [
     (lambda v: rimline.Mesh(v, FACES), "vertices: "), (lambda v: rimline.Mesh(TRIANGLE, v), "faces: "),
     (lambda v: rimline.PointSurface(v), "points: "), (lambda v: BOX.silhouette(v), "eye: "),

@@ -60,6 +60,17 @@ def test_sizes_and_colors_may_be_numbers(knot):
         rimline.draw(knot, page=(148, 210, 3))
 
 
+def test_lines_have_the_colors_of_materials(tmp_path):
+    model, path = tmp_path / "a.obj", tmp_path / "a.svg"
+    (tmp_path / "a.mtl").write_text("newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n")
+    model.write_text("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 1\nusemtl red\nf 1 2 3\nusemtl blue\nf 1 3 4\n")
+    keywords = {"eye": (1, 2, 3), "page": "a4", "line_color": "material"}
+    drawn = rimline.draw(rimline.load(model), **keywords).to_svg()
+    assert len(set(re.findall('stroke="(rgb[^"]*)"', drawn))) == 2
+    run("draw", str(model), "--eye", "1,2,3", "--line-color", "material", "-o", str(path))
+    assert drawn == path.read_text()
+
+
 def test_scenes_check_their_options(knot):
     for wrong, error, message in (({"stlye": "ink"}, TypeError, "'stlye'.*did you mean 'style'"),
                                   ({"style": "oil"}, ValueError, "style: "), ({"fov": 1000}, ValueError, "fov: ")):

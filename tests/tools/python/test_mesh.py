@@ -181,6 +181,16 @@ def test_vertices_are_a_view_that_outlives_the_mesh():
     assert (vertices == TRIANGLE).all()
 
 
+def test_arrays_of_a_mesh_are_views_that_cannot_be_written(knot):
+    for name in ("vertices", "faces", "edges", "edge_faces"):
+        array = getattr(knot, name)
+        assert np.shares_memory(array, getattr(knot, name)) and array.base is not None, name
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 0
+    faces = rimline.Mesh(np.eye(3), [[0, 1, 2]]).faces
+    assert faces.tolist() == [[0, 1, 2]]
+
+
 def test_files_are_read_and_their_faults_are_errors(tmp_path):
     path = tmp_path / "triangle.obj"
     path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
