@@ -78,7 +78,8 @@ TEST_CASE("the first view has the votes of all planes there and nearly the most 
     }
 }
 
-TEST_CASE("drawing candidates lazily chooses what drawing all of them chooses") {
+TEST_CASE("drawing candidates lazily chooses what drawing all of them chooses" *
+          doctest::test_suite("plain")) {
     for (const char* name : {"knot", "spring", "scene", "box"}) {
         CAPTURE(name);
         const Mesh mesh(make_built_in_shape(name, 1500));

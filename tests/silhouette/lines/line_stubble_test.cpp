@@ -205,7 +205,7 @@ bool is_at_background(const LineSurface& surface, const LineView& view, const St
 
 // At a place of the outline there is nothing behind the line on one side. The test for it looks at places a quarter of
 // the stubble apart.
-TEST_CASE("outlines have no gaps where stubble was") {
+TEST_CASE("outlines have no gaps where stubble was" * doctest::test_suite("plain")) {
     std::size_t of_removed = 0;
     each_stubbly_view([&](const LineSurface& surface, const LineView& view,
                           const LineOptions& options, const StubblePair& pair) {

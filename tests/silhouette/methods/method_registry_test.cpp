@@ -100,7 +100,8 @@ TEST_CASE("every exact method follows a point as brute force finds it, on every 
     }
 }
 
-TEST_CASE("every exact method is right from other origins and with calls of both kinds mixed") {
+TEST_CASE("every exact method is right from other origins and with calls of both kinds mixed" *
+          doctest::test_suite("plain")) {
     const std::uint64_t seed = 83;
     CAPTURE(seed);
     for (const auto& [name, source] : tests::made_meshes(500)) {

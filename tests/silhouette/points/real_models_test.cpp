@@ -76,7 +76,8 @@ void check(std::span<const Bound> bounds) {
     if (!missing.empty()) RIMLINE_SKIP("RIMLINE_MODELS names no folder that holds" + missing);
 }
 
-TEST_CASE("borders of real models are missed and invented no more often than measured") {
+TEST_CASE("borders of real models are missed and invented no more often than measured" *
+          doctest::test_suite("plain")) {
     constexpr auto k_thesis = PointSurfaceOptions::Method::thesis;
     constexpr Bound k_bounds[] = {{"stanford-bunny.obj", 66, 3, 1},
                                   {"beetle-alt.obj", 104, 0, 2},

@@ -44,7 +44,8 @@ std::optional<std::pair<FaceId, double>> first_face(const Mesh& mesh, const glm:
     return first;
 }
 
-TEST_CASE("every pixel shows the face that its ray meets first and where") {
+TEST_CASE("every pixel shows the face that its ray meets first and where" *
+          doctest::test_suite("plain")) {
     for (const std::string name : {"knot", "spring", "scene", "terrain"}) {
         CAPTURE(name);
         const Mesh mesh(make_built_in_shape(name, 600));

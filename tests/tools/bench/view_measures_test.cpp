@@ -65,7 +65,8 @@ TEST_CASE("greedy coverage takes what shows most that is new") {
     CHECK(greedy_coverage(measures, 2) == std::vector<std::size_t>{0, 2});
 }
 
-TEST_CASE("a light on a sphere leaves the share in the dark that geometry predicts") {
+TEST_CASE("a light on a sphere leaves the share in the dark that geometry predicts" *
+          doctest::test_suite("plain")) {
     const Mesh mesh(make_built_in_shape("sphere", 20000));
     const LitView view(mesh, mesh.center() + 2.0 * mesh.radius() * glm::dvec3(0, 0, 1));
     const LightMeasure front = view.measure({0, 0, 1});

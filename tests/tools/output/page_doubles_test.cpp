@@ -193,7 +193,8 @@ TEST_CASE("a closed hidden line is cut where it passes beside others, wherever i
     CHECK(lines[1].points == corners);
 }
 
-TEST_CASE("whatever is left out of random bundles lies beside what stays") {
+TEST_CASE("whatever is left out of random bundles lies beside what stays" *
+          doctest::test_suite("plain")) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> place(0.0, 40.0), noise(-0.7, 0.7);
     std::size_t cut = 0;

@@ -431,7 +431,8 @@ TEST_CASE("while the mouse moves over the panel the picture stays as fine as it 
     CHECK(changed_pixels(wide, shown.capture_at_rest())[1] == 0);
 }
 
-TEST_CASE("while a model of many faces moves on a slow device one of few stands in for it") {
+TEST_CASE("while a model of many faces moves on a slow device one of few stands in for it" *
+          doctest::test_suite("plain")) {
     RIMLINE_OPEN_DISPLAY(display);
     Shown shown({.panel = true});
     shown.resize(900, 500);

@@ -304,7 +304,8 @@ TEST_CASE("Ten thousand corners take well under a second, concave or crossing") 
     CHECK(teeth < 5.0);
 }
 
-TEST_CASE("Combs of three hundred thousand corners are cut without overlap") {
+TEST_CASE("Combs of three hundred thousand corners are cut without overlap" *
+          doctest::test_suite("plain")) {
     // The tips between the teeth in a straight line, and scattered over a tenth of the depth.
     for (const float ragged : {0.0f, 1.0f}) {
         const std::uint32_t seed = 15;
