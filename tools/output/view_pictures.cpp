@@ -55,8 +55,14 @@ std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
     Progress progress(context, "drawing views");
     const LongCall call = progress.call();
     std::vector<Picture> pictures;
-    for (const LightedView& view : views) {
-        call.checkpoint(double(pictures.size()) / double(views.size()));
+    const auto finish_one = [&] {
+        pictures.push_back(renderer.finish());
+        scene.style.finish(scene.picture).apply(pictures.back());
+    };
+    // The lines of a picture are found while the one before is drawn.
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        const LightedView& view = views[i];
+        call.checkpoint(double(i) / double(views.size()));
         Scene picture_scene = make_view_scene(mesh, view, scene.style, scene.picture, size);
         picture_scene.instances.push_back({.octree = &scene.octree,
                                            .name = scene.model,
@@ -68,9 +74,10 @@ std::vector<Picture> draw_views(Renderer& renderer, const ViewScene& scene,
         if (ground)
             picture_scene.instances.push_back(
                 ground->instance(picture_scene, fade_of_ground(mesh, picture_scene.lights, up)));
-        pictures.push_back(renderer.render(picture_scene, size.width, size.height));
-        scene.style.finish(scene.picture).apply(pictures.back());
+        renderer.submit(picture_scene, size.width, size.height);
+        if (i > 0) finish_one();
     }
+    if (!views.empty()) finish_one();
     return pictures;
 }
 
