@@ -109,7 +109,7 @@ public:
                "--source", has_sources_,
                "SVG: say of each path which chains (data-chain) and edges (data-edges) it is "
                "made of; edges are pairs of vertex numbers of the file, with --subdivide of the "
-               "refined mesh")
+               "refined mesh; those of a later MODEL go on where the one before ends")
             ->group("Output");
         app.add_flag(
                "--verify", verifies_,
