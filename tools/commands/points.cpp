@@ -39,8 +39,7 @@ public:
     void add_options(CLI::App& app) override {
         app_ = &app;
         cloud_.add_to(app);
-        add_exact_point(app, "--eye", eye_, "Position of the camera (default: chosen, with -o)")
-            ->group("Camera");
+        picture_.view.add_to_cloud(app, eye_);
         add_exact_point(app, "--target", target_,
                         "Point that the camera looks at (default: the cloud's center)")
             ->group("Camera");
@@ -119,7 +118,7 @@ public:
             "  rimline points scan.ply --eye 2,1,3 --json\n"
             "  rimline points bunny.obj --as-points --export labels.ply\n"
             "  rimline points horse.ply --as-points --turn 720 --verify\n"
-            "  rimline points fandisk.obj --as-points --eye 2,1,2 -o fandisk.png");
+            "  rimline points fandisk.obj --as-points --eye front -o fandisk.png");
     }
 
     ExitStatus run(const Context& context) override {
@@ -130,10 +129,12 @@ public:
         if (turn_frames_ == 0 && output_.empty())
             refuse_options(*app_, {"--up"}, "there is no picture; give -o FILE.png");
         if (without_lists_ && !context.json) throw UsageError("--no-lists: belongs to --json");
+        if (output_.empty() && picture_.view.name)
+            throw UsageError("--eye: a view is one of a picture; give -o FILE.png, or a point");
         if (output_.empty())
             refuse_options(*app_,
-                           {"--target", "--fov", "--ortho", "--mode", "--look", "Image", "--device",
-                            "--validate"},
+                           {"--azimuth", "--elevation", "--target", "--fov", "--ortho", "--mode",
+                            "--look", "Image", "--device", "--validate"},
                            "there is no picture; give -o FILE.png");
         if (!export_.empty() && (export_ == output_ || is_same_file(export_, output_)))
             throw UsageError("--export: " + export_ + " is what -o writes; name another file");

@@ -40,8 +40,9 @@ glm::dvec3 direction_of_view(NamedView view, const glm::dvec3& up) {
     return three_quarter_direction(up);
 }
 
-[[noreturn]] void reject_view(const std::string& text) {
-    const std::vector<std::string> names(k_view_names.begin(), k_view_names.end());
+[[noreturn]] void reject_view(const std::string& text, NamedView first) {
+    const std::vector<std::string> names(k_view_names.begin() + std::ptrdiff_t(first),
+                                         k_view_names.end());
     std::string listed;
     for (const std::string& name : names) listed += ", " + name;
     throw CLI::ValidationError("--eye", "expected three numbers x,y,z or one of" +
@@ -51,23 +52,22 @@ glm::dvec3 direction_of_view(NamedView view, const glm::dvec3& up) {
 
 }  // namespace
 
-void ViewOption::add_to(CLI::App& app, std::optional<glm::vec3>& eye) {
+void ViewOption::add(CLI::App& app, NamedView first,
+                     std::function<void(const std::string&)> set_eye, const char* description) {
     constexpr const char* k_group = "Camera";
     CLI::Option* eye_option =
         app.add_option_function<std::string>(
                "--eye",
-               [this, &eye](const std::string& text) {
-                   for (std::size_t i = 0; i < k_view_names.size(); ++i)
+               [this, first, set_eye](const std::string& text) {
+                   for (std::size_t i = std::size_t(first); i < k_view_names.size(); ++i)
                        if (text == k_view_names[i]) {
                            name = static_cast<NamedView>(i);
                            return;
                        }
-                   if (text.find(',') == std::string::npos) reject_view(text);
-                   eye = parse_point("--eye", text);
+                   if (text.find(',') == std::string::npos) reject_view(text, first);
+                   set_eye(text);
                },
-               "Position of the camera; or a view of the whole model: front, back, left, right, "
-               "top, bottom, three-quarter, or auto, the side that shows most (default: auto; the "
-               "built-in scene has a view of its own)")
+               description)
             ->type_name("X,Y,Z|VIEW")
             ->group(k_group);
     add_number(
@@ -81,6 +81,23 @@ void ViewOption::add_to(CLI::App& app, std::optional<glm::vec3>& eye) {
                "with --azimuth: 21.5)")
         ->excludes(eye_option)
         ->group(k_group);
+}
+
+void ViewOption::add_to(CLI::App& app, std::optional<glm::vec3>& eye) {
+    add(
+        app, NamedView::automatic,
+        [&eye](const std::string& text) { eye = parse_point("--eye", text); },
+        "Position of the camera; or a view of the whole model: front, back, left, right, top, "
+        "bottom, three-quarter, or auto, the side that shows most (default: auto; the built-in "
+        "scene has a view of its own)");
+}
+
+void ViewOption::add_to_cloud(CLI::App& app, std::optional<glm::dvec3>& eye) {
+    add(
+        app, NamedView::front,
+        [&eye](const std::string& text) { eye = parse_exact_point("--eye", text); },
+        "Position of the camera; or with -o a view of the whole cloud: front, back, left, right, "
+        "top, bottom, or three-quarter (default with -o)");
 }
 
 std::optional<glm::dvec3> ViewOption::given(const glm::dvec3& up) const {

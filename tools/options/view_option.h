@@ -5,6 +5,7 @@
 // is at +z if y is up, and at -y if z is up.
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
@@ -32,6 +33,8 @@ struct ViewOption {
 
     /// Adds --eye, which sets `eye` or a name, --azimuth and --elevation.
     void add_to(CLI::App& app, std::optional<glm::vec3>& eye);
+    /// The same of a cloud, for which auto chooses nothing: without it.
+    void add_to_cloud(CLI::App& app, std::optional<glm::dvec3>& eye);
 
     /// The direction towards the viewer that the options name. Nothing for auto and where no option is given.
     std::optional<glm::dvec3> given(const glm::dvec3& up) const;
@@ -40,6 +43,11 @@ struct ViewOption {
                 const LongCall& call = {});
     /// The direction that is given or chosen, or else the default of default_view.h.
     glm::dvec3 direction(const std::string& model, const glm::dvec3& up) const;
+
+private:
+    // `first` is the first view that --eye takes, which becomes the name; set_eye() takes points.
+    void add(CLI::App& app, NamedView first, std::function<void(const std::string&)> set_eye,
+             const char* description);
 };
 
 /// The angle of this direction on an orbit about `up` (silhouette/hough/orbit.h): 0 at the right, a quarter turn at the

@@ -199,6 +199,25 @@ def test_points_draw_models_upright_and_say_from_where():
             assert all(math.isclose(a, b, abs_tol=1e-6) for a, b in zip(told[key], again[key])), key
 
 
+def test_points_are_drawn_in_views_of_the_whole_cloud():
+    have_device()
+    with tempfile.TemporaryDirectory() as folder:
+        cloud, output = os.path.join(folder, "cloud.xyz"), os.path.join(folder, "a.png")
+        write_points(cloud, sphere_points(2000))
+        seen = {}
+        for view in (["front"], ["right"], ["top"], ["three-quarter"], []):
+            told = succeed("points", cloud, *(["--eye", *view] if view else []), "-o", output, "--size", "96x64", "--no-lists")
+            way = [told["eye"][i] - told["target"][i] for i in range(3)]
+            seen[tuple(view)] = [x / math.hypot(*way) for x in way]
+        for view, way in ((("front",), (0, 0, 1)), (("right",), (1, 0, 0)), (("top",), (0, 1, 0))):
+            assert math.dist(seen[view], way) < 0.02, (view, seen[view])
+        assert seen["three-quarter",] == seen[()]
+        turned = succeed("points", cloud, "--azimuth", "90", "--elevation", "0", "-o", output, "--size", "96x64", "--no-lists")
+        assert abs(turned["eye"][1] - turned["target"][1]) < 0.02 * turned["eye"][0]
+        assert "front, back" in fail(2, "points", cloud, "--eye", "auto", "-o", output)
+        assert "give -o FILE.png, or a point" in fail(2, "points", cloud, "--eye", "front")
+
+
 def test_points_on_no_surface_do_not_widen_the_picture():
     have_device()
     with tempfile.TemporaryDirectory() as folder:
@@ -411,7 +430,7 @@ def test_points_refuse_options_without_an_effect():
         assert "--subdivide: it has no faces" in fail(1, "points", cloud, "--subdivide", "1")
         assert "--subdivide: it has no faces" in fail(1, "info", cloud, "--subdivide", "1")
         for options in (["--target", "0,0,0"], ["--fov", "20"], ["--mode", "compare"], ["--look", "dots"], ["--size", "9x9"],
-                        ["--background", "red"], ["--device", "cpu"], ["--validate"], ["--up", "z"]):
+                        ["--background", "red"], ["--device", "cpu"], ["--validate"], ["--up", "z"], ["--azimuth", "9"]):
             assert options[0] + ": there is no picture" in fail(2, "points", cloud, *options), options
         assert "--step: belongs to --turn" in fail(2, "points", cloud, "--step", "3")
         assert "--no-lists: belongs to --json" in fail(2, "points", cloud, "--no-lists")
