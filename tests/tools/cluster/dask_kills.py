@@ -196,6 +196,11 @@ def main():
                      for line in path.read_text().splitlines() if '"input":"bad.obj"' in line]
             assert len(lines) == 3, lines
             whole_once(folder, "bad")
+            # A wrong option is tried once.
+            assert cluster.submit("@list", "-o", "usage", *SUBCOMMAND, "--nix", retries=2).wait(120) == 1
+            lines = [line for path in (folder / "usage").glob("manifest.*-of-4.jsonl")
+                     for line in path.read_text().splitlines()]
+            assert len(lines) == 2, lines
         except BaseException:
             cluster.log.flush()
             sys.stderr.write((folder / "dask.log").read_text()[-4000:])
