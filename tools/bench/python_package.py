@@ -7,12 +7,15 @@ an orbit in steps of half a degree:
 
     silhouette    Mesh.silhouette(), which tests all faces
     tracker       Tracker.move_to() and the arrays of what joined and left
-    filter        rimline.vtk.Silhouette, the update alone
-    vtk           vtkPolyDataSilhouette, the update alone
+    filter        rimline.vtk.Silhouette, the update alone, with EnableFeatureAngle off
+    vtk           vtkPolyDataSilhouette, the same
+    filter+angle  rimline.vtk.Silhouette with EnableFeatureAngle on, as it is at first
+    vtk+angle     vtkPolyDataSilhouette, the same
     numpy         all faces and edges with numpy, vectorized
 
 Times are medians. A call beside the move is that of a tracker that stays where it is. --check exits with status 3 where
-a call takes 5 us or more, the filter is not 10 times as fast as VTK's, or edges differ; without VTK its part is left out.
+a call takes 5 us or more, the filter is not 10 times as fast as VTK's with either setting, or edges differ; without VTK
+its part is left out.
 """
 
 import argparse
@@ -80,11 +83,11 @@ def poly_data(vertices, faces):
     return data
 
 
-def filter_of(kind, data):
+def filter_of(kind, data, has_feature_angle=0):
     one = kind()
     one.SetInputData(data)
     one.SetDirectionToSpecifiedOrigin()
-    one.SetEnableFeatureAngle(0)
+    one.SetEnableFeatureAngle(has_feature_angle)
     return one
 
 
@@ -122,7 +125,6 @@ def measure(model):
 
     if vtkPolyDataSilhouette is not None:
         data = poly_data(mesh.vertices, mesh.faces)
-        ours, theirs = filter_of(rimline.vtk.Silhouette, data), filter_of(vtkPolyDataSilhouette, data)
 
         def update(one):
             def run(eye):
@@ -130,14 +132,18 @@ def measure(model):
                 one.Update()
             return run
 
-        update(ours)(eyes[0])
-        update(theirs)(eyes[0])  # Makes its table of edges.
-        result["filter_us"] = median_us(update(ours), eyes[1:])
-        result["vtk_us"] = median_us(update(theirs), eyes[1:9])
-        for eye in eyes[::16]:
-            update(ours)(eye)
-            expected = sorted_pairs(mesh.silhouette(eye).edges)
-            result["differences"] += not np.array_equal(sorted_pairs(lines_of(ours)), expected)
+        for setting, has_feature_angle in (("", 0), ("+angle", 1)):
+            ours = filter_of(rimline.vtk.Silhouette, data, has_feature_angle)
+            theirs = filter_of(vtkPolyDataSilhouette, data, has_feature_angle)
+            update(ours)(eyes[0])
+            update(theirs)(eyes[0])  # Makes its table of edges.
+            result[f"filter{setting}_us"] = median_us(update(ours), eyes[1:])
+            result[f"vtk{setting}_us"] = median_us(update(theirs), eyes[1:9])
+            for eye in eyes[::16]:
+                update(ours)(eye)
+                found, expected = (set(map(tuple, sorted_pairs(edges).tolist()))
+                                   for edges in (lines_of(ours), mesh.silhouette(eye).edges))
+                result["differences"] += not (found >= expected if has_feature_angle else found == expected)
         split = mesh.vertices[mesh.faces].reshape(-1, 3)
         data = poly_data(split, np.arange(len(split)).reshape(-1, 3))
         ours, theirs = filter_of(rimline.vtk.Silhouette, data), filter_of(vtkPolyDataSilhouette, data)
@@ -188,16 +194,16 @@ def main():
         print(f"a call beside the move {call:.2f} us; {'VTK ' + version if version else 'no VTK'}")
         for r in results:
             print(f"{r['model']}, {r['faces']:,} faces, {r['edges']:,} silhouette edges")
-            for name in ("silhouette", "tracker", "filter", "vtk", "numpy"):
+            for name in ("silhouette", "tracker", "filter", "vtk", "filter+angle", "vtk+angle", "numpy"):
                 if f"{name}_us" in r:
                     ratio = r[f"{name}_us"] / r["tracker_us"]
-                    print(f"  {name:<12}{r[f'{name}_us']:12.1f} us{ratio:10.1f}x the tracker")
+                    print(f"  {name:<13}{r[f'{name}_us']:12.1f} us{ratio:10.1f}x the tracker")
             if "vtk_split_edges" in r:
                 print(f"  with split vertices: {r['split_edges']:,} edges, the filter finds "
                       f"{r['filter_split_edges']:,}, VTK {r['vtk_split_edges']:,}")
     differ = [f"{r['model']}: edges differ" for r in results if r["differences"]]
-    missed = [f"{r['model']}: the filter is not 10 times as fast as VTK's" for r in results
-               if "vtk_us" in r and r["vtk_us"] < 10 * r["filter_us"]]
+    missed = [f"{r['model']}: the filter is not 10 times as fast as VTK's" for r in results if "vtk_us" in r
+              and min(r["vtk_us"] / r["filter_us"], r["vtk+angle_us"] / r["filter+angle_us"]) < 10]
     missed += ["a call takes 5 us or more"] if call >= 5 else []
     missed = differ + (missed if arguments.check else [])
     for line in missed:

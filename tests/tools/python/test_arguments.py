@@ -189,6 +189,8 @@ def test_a_cloud_is_not_a_mesh_and_the_message_names_its_reader(tmp_path):
     (lambda: rimline.CameraPath(BOX, [rimline.best_views(BOX, 1, visible=False)[0].eye, (9, 9, 9)]), ValueError,
      r"eyes\[1\]: expected a point 1.73 to 2"),
     (lambda: rimline.camera_path(BOX, [(9, 9, 9), (0, 9, 9)]), ValueError, r"views\[0\]: expected a point 1.73 to 2"),
+    (lambda: rimline.camera_path(BOX, "4"), TypeError, "views: expected an integer, views or points, not str"),
+    (lambda: rimline.camera_path(BOX, b"42"), TypeError, "views: expected an integer, views or points, not bytes"),
     (lambda: rimline.best_views(BOX, renderer=3, visible=False), TypeError,
      "renderer: expected a rimline.Renderer, not int"),
     (lambda: rimline.Scene(BOX, size=b"32"), TypeError, "size: expected width and height, not b'32'"),

@@ -35,6 +35,7 @@ def test_the_bench_finds_the_same_edges():
     assert model["tracker_us"] < model["silhouette_us"] and 0 < told["call_us"]
     if told["vtk"]:
         assert model["filter_split_edges"] > 0 and model["vtk_split_edges"] == 0
+        assert all(model[f"{name}_us"] > 0 for name in ("filter", "vtk", "filter+angle", "vtk+angle"))
     result = subprocess.run([sys.executable, "-B", script, "missing.obj"], capture_output=True, text=True)
     assert result.returncode == 1 and result.stderr.startswith("python_package.py: error: missing.obj"), result.stderr
 

@@ -322,9 +322,9 @@ def camera_path(
 
     views: how many (2 to 64), or those of best_views(), or their eyes (N x 3, 1.73 to 2 radii from the center).
     """
+    if isinstance(views, (str, bytes)) or not isinstance(views, (Iterable, SupportsIndex)):
+        raise TypeError(f"views: expected an integer, views or points, not {type(views).__name__}")
     if not isinstance(views, Iterable):
-        if not isinstance(views, SupportsIndex):
-            raise TypeError(f"views: expected an integer, views or points, not {type(views).__name__}")
         if not 2 <= operator.index(views) <= 64:
             raise ValueError(f"views: expected 2 to 64, not {operator.index(views)}")
         unknown = next((name for name in options if name not in inspect.signature(best_views).parameters), None)
