@@ -283,14 +283,22 @@ def test_animate_draws_scenes():
                        folders[3])["path"] == "still"
 
 
+# The second of the two faces, as a model that is placed.
+BOTH = [{"model": "one.obj"}, {"model": "one.obj", "at": [0.5, 0, -1], "scale": 2}]
+
+
+def write_one_and_both(folder):
+    corners = [(0, 0, 0), (1, 0, 0.5), (0, 1, 0)]
+    placed = [(2 * x + 0.5, 2 * y, 2 * z - 1) for x, y, z in corners]
+    return (write_faces(os.path.join(folder, "one.obj"), corners),
+            write_faces(os.path.join(folder, "both.obj"), corners, placed))
+
+
 def test_draw_draws_the_lines_of_scenes():
     with tempfile.TemporaryDirectory() as folder:
-        corners = [(0, 0, 0), (1, 0, 0.5), (0, 1, 0)]
-        moved = [(2 * x + 0.5, 2 * y, 2 * z - 1) for x, y, z in corners]
-        one = write_faces(os.path.join(folder, "one.obj"), corners)
-        both = write_faces(os.path.join(folder, "both.obj"), corners, moved)
+        one, both = write_one_and_both(folder)
         scene = write_scene(folder, {"rimline_scene": 1, "up": "y",
-                                     "models": [{"model": "one.obj"}, {"model": "one.obj", "at": [0.5, 0, -1], "scale": 2}],
+                                     "models": BOTH,
                                      "lights": [{"sun": [1, 1, 1]}],
                                      "cameras": {"front": {"eye": "front"},
                                                  "cut": {"eye": [0, 0.5, 3], "target": [0.5, 0.5, 0], "fov": 20}},
@@ -325,12 +333,9 @@ def test_draw_draws_the_lines_of_scenes():
 
 def test_convert_writes_scenes_as_one_mesh():
     with tempfile.TemporaryDirectory() as folder:
-        corners = [(0, 0, 0), (1, 0, 0.5), (0, 1, 0)]
-        moved = [(2 * x + 0.5, 2 * y, 2 * z - 1) for x, y, z in corners]
-        one = write_faces(os.path.join(folder, "one.obj"), corners)
-        both = write_faces(os.path.join(folder, "both.obj"), corners, moved)
+        one, both = write_one_and_both(folder)
         scene = write_scene(folder, {"rimline_scene": 1, "up": "y", "cameras": {"front": {"eye": "front"}},
-                                     "models": [{"model": "one.obj"}, {"model": "one.obj", "at": [0.5, 0, -1], "scale": 2}]})
+                                     "models": BOTH})
         outputs = [os.path.join(folder, name) for name in ("a.glb", "b.glb", "c.glb")]
         succeed("convert", both, "--up", "y", "--edges", "-o", outputs[0])
         said = succeed("convert", "--up", "y", one, one, "--at", "0.5,0,-1", "--scale", "2", "--edges", "-o", outputs[1])
