@@ -296,8 +296,11 @@ private:
     void choose_volume(std::size_t i, std::size_t l, const Caster& caster,
                        const gpu::LightData& data, DrawnLight& light) {
         const LightView& seen = view_.instances[i].lights[l];
+        // What is shorter counts on faces that hide what lies behind them, and the backs of these are not drawn.
+        const bool fades = scene_.instances[i].fade_radius > 0.0;
         ShadowChoice choice =
-            choose_shadow(scene_.shadow_method, scene_.shadow_form, caster.view,
+            choose_shadow(fades ? ShadowMethod::fail : scene_.shadow_method,
+                          fades ? ShadowForm::general : scene_.shadow_form, caster.view,
                           {.low = caster.box.low,
                            .high = caster.box.high,
                            .is_closed_chain = state_of(i).is_closed_chain,
@@ -305,7 +308,9 @@ private:
                            .extrusion = data.extrusion,
                            .reaches_far_enough = seen.point.is_direction() ||
                                                  data.extrusion < k_max_extrusion_times});
-        if (choice.form == ShadowForm::general && may_know_winding(i, caster, seen.point))
+        if (fades)
+            choice.method_reason = choice.form_reason = "backs of faces that fade are not drawn";
+        if (!fades && choice.form == ShadowForm::general && may_know_winding(i, caster, seen.point))
             choose_by_winding(i, seen.point, choice, light);
         light.method = choice.method;
         light.form = choice.form;
@@ -431,7 +436,8 @@ private:
     bool may_count_from_near(const ShadowReport& shadow) {
         return shadow.choice.method == ShadowMethod::fail &&
                scene_.shadow_method != ShadowMethod::fail && !scene_.camera.is_orthographic() &&
-               !state_of(shadow.instance).deforming && !shadow.reach.is_empty();
+               !state_of(shadow.instance).deforming && !shadow.reach.is_empty() &&
+               !(scene_.instances[shadow.instance].fade_radius > 0.0);
     }
 
     // Takes depth pass, where it is known what lies before the near plane.

@@ -220,15 +220,19 @@ void ShadowVolumePass::record_caps(Commands commands, const DrawList& list, std:
             const bool single = drawn.form == ShadowForm::single;
             if (single && front_bit == 0) continue;
             if (!limit(commands, drawn, area)) continue;
-            binding.bind(pipelines_of(drawn).caps);
+            // A light cap is clipped as its surface is: else the near plane would give the two different depths.
+            binding.bind(clipping_.caps);
             set_counting(commands, ShadowMethod::fail, front_bit == 0);
             const std::uint32_t flag = draw.part ? RIMLINE_CAPS_PART : 0;
             set_draw(commands, layout_, list, instance, &drawn, front_bit | flag);
-            // If all light rays end in one point, there is no dark cap.
-            const std::uint32_t caps = drawn.ends_in_one_point ? 1 : 2;
             const std::uint32_t first = draw.part ? draw.part->first_face : 0;
             const std::uint32_t count = draw.part ? draw.part->face_count : instance.face_count;
-            commands->CmdDraw(commands, 3 * count, caps, 3 * first, 0);
+            commands->CmdDraw(commands, 3 * count, 1, 3 * first, 0);
+            // If all light rays end in one point, there is no dark cap.
+            if (drawn.ends_in_one_point) continue;
+            binding.bind(pipelines_of(drawn).caps);
+            set_counting(commands, ShadowMethod::fail, front_bit == 0);
+            commands->CmdDraw(commands, 3 * count, 1, 3 * first, 1);
         }
     }
 }

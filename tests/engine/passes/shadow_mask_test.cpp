@@ -16,8 +16,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <deque>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
 #include <limits>
 #include <string>
 #include <vector>
@@ -275,6 +278,74 @@ TEST_CASE("the near plane may lie in a volume, along its side, or in a surface")
     scene.lights = {sun({-2.0, 1.0, -3.0})};
     comparison.draw(scene);
     comparison.finish();
+}
+
+// Where the plane cuts the box, its inside is seen, which is dark.
+TEST_CASE("an orthographic near plane of a host may cut a box") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Model box(make_built_in_shape("box", 12));
+    const glm::dvec3 low(box.mesh.bounds().low), high(box.mesh.bounds().high);
+    const glm::dvec3 to_sun(0.3, 1.0, 0.5);
+    constexpr double k_height = 3.2, k_far = 10.0;
+    const glm::dmat4 view =
+        glm::lookAt(glm::dvec3(1.7, 1.9, 1.5), glm::dvec3(0.0), glm::dvec3(0.0, 1.0, 0.0));
+    const glm::dmat4 world = glm::inverse(view);
+    Renderer renderer(gpu->context(), {.samples = 1, .scale = 1});
+    for (const double near : {0.5, 2.0, 2.3, 2.6, 3.0}) {
+        glm::dmat4 projection(0.0);
+        projection[0][0] = 2.0 / k_height;
+        projection[1][1] = -2.0 / k_height;
+        projection[2][2] = -1.0 / (k_far - near);
+        projection[3][2] = -near / (k_far - near);
+        projection[3][3] = 1.0;
+        Scene scene{.instances = {instance_of(box)}, .lights = {sun(to_sun)}};
+        scene.camera = camera_of(view, projection);
+        scene.style = Style::mask;
+        scene.lines = false;
+        scene.palette.background = glm::vec3(0.0f);
+        const Picture picture = renderer.render(scene, k_shadow_mask_size, k_shadow_mask_size);
+        std::size_t lit = 0, different = 0;
+        for (std::size_t at = 0; at < picture.rgba.size() / 4; ++at) {
+            const glm::dvec2 place((double(at % k_shadow_mask_size) + 0.5) / k_shadow_mask_size,
+                                   (double(at / k_shadow_mask_size) + 0.5) / k_shadow_mask_size);
+            const glm::dvec3 from(world * glm::dvec4((place.x - 0.5) * k_height,
+                                                     (0.5 - place.y) * k_height, 0.0, 1.0));
+            const glm::dvec3 way(world * glm::dvec4(0.0, 0.0, -1.0, 0.0));
+            const glm::dvec3 a = (low - from) / way, b = (high - from) / way;
+            const glm::dvec3 enter = glm::min(a, b), leave = glm::max(a, b);
+            const double first = std::max({enter.x, enter.y, enter.z});
+            const int axis = first == enter.x ? 0 : first == enter.y ? 1 : 2;
+            const bool is_lit = first >= near && first < std::min({leave.x, leave.y, leave.z}) &&
+                                way[axis] * to_sun[axis] < 0.0;
+            lit += is_lit;
+            different += is_lit != (picture.rgba[4 * at] > 230);
+        }
+        CAPTURE(near);
+        CHECK(lit > 1000);
+        CHECK(different <= 3);  // Beside edges.
+    }
+}
+
+// The backs of its faces are not drawn, so depth pass would count their caps.
+TEST_CASE("what fades casts the same shadows by every method") {
+    RIMLINE_OPEN_GPU(gpu);
+    const Model torus(make_built_in_shape("torus", 2000)), ground(square(5.0, -2.0));
+    Scene scene{.instances = {instance_of(torus), instance_of(ground)},
+                .lights = {sun({1.0, 0.9, 1.0})}};
+    scene.instances[1].fade_radius = 20.0;
+    scene.instances[1].fade_center = {0.0, -2.0, 0.0};
+    scene.camera = looking({0.5, -4.0, 4.0}, {0.0, 0.0, 0.0});
+    scene.style = Style::mask;
+    scene.lines = false;
+    scene.palette.background = glm::vec3(0.0f);
+    Renderer renderer(gpu->context());
+    const Picture chosen = renderer.render(scene, k_shadow_mask_size, k_shadow_mask_size);
+    CHECK(renderer.report().shadows[0].choice.method == ShadowMethod::pass);
+    CHECK(renderer.report().shadows[1].choice.method == ShadowMethod::fail);
+    scene.shadow_method = ShadowMethod::fail;
+    scene.shadow_form = ShadowForm::general;
+    CHECK(renderer.render(scene, k_shadow_mask_size, k_shadow_mask_size).rgba == chosen.rgba);
+    CHECK(std::ranges::count_if(chosen.rgba, [](std::uint8_t c) { return c > 230; }) > 10'000);
 }
 
 TEST_CASE("a light may be close to what casts, and inside it") {
