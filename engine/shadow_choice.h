@@ -28,6 +28,9 @@
 // is clamped. This needs L behind the camera, so that -L is before it, and a caster that the near plane does not cut,
 // because nothing is clipped there where depth is clamped. Both methods then count the same triangles.
 //
+// Single form and depth pass both need all faces of the mesh in the depth buffer. A mesh that fades has only the front
+// ones there: it is drawn in the general form, by depth fail (engine/frame/draw_list_builder.cpp).
+//
 // All are decided in the mesh's own coordinates, in double, with a margin for the shaders' rounding. Cost: a
 // few hundred operations for each pair of caster and light.
 // Sources: Everitt, Kilgard 2002; Hornus et al., ZP+: correct Z-pass stencil shadows, 2005; Kim, Kim,

@@ -296,7 +296,7 @@ private:
     void choose_volume(std::size_t i, std::size_t l, const Caster& caster,
                        const gpu::LightData& data, DrawnLight& light) {
         const LightView& seen = view_.instances[i].lights[l];
-        // What is shorter counts on faces that hide what lies behind them, and the backs of these are not drawn.
+        // Depth pass and the single form need all faces of the mesh in the depth buffer.
         const bool fades = scene_.instances[i].fade_radius > 0.0;
         ShadowChoice choice =
             choose_shadow(fades ? ShadowMethod::fail : scene_.shadow_method,

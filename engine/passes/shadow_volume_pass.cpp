@@ -231,7 +231,6 @@ void ShadowVolumePass::record_caps(Commands commands, const DrawList& list, std:
             // If all light rays end in one point, there is no dark cap.
             if (drawn.ends_in_one_point) continue;
             binding.bind(pipelines_of(drawn).caps);
-            set_counting(commands, ShadowMethod::fail, front_bit == 0);
             commands->CmdDraw(commands, 3 * count, 1, 3 * first, 1);
         }
     }

@@ -28,12 +28,10 @@ public:
 
     void add(const std::string& source) {
         if (source.starts_with('@')) return add_list(source.substr(1));
-        if (is_built_in_shape(source)) {
-            try {
-                check_model_name(source);
-            } catch (const CLI::ValidationError& error) {
-                throw UsageError(error.what());
-            }
+        try {
+            check_model_name(source);
+        } catch (const CLI::ValidationError& error) {
+            throw UsageError(error.what());
         }
         std::error_code unreadable;
         if (!is_built_in_shape(source) && !fs::exists(fs::status(source, unreadable)))

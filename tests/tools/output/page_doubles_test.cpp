@@ -10,7 +10,10 @@
 #include <random>
 #include <vector>
 
+#include "tests/tools/output/made_page_line.h"
+
 using namespace rimline;
+using tests::page_line;
 using tools::PageLine;
 
 namespace {
@@ -20,17 +23,8 @@ using PenLines = std::vector<PageLine>;
 
 constexpr double k_reach = 0.5;
 
-PageLine line(bool is_hidden, const Points& points, bool is_closed = false) {
-    return {.kind = LineKind::crease,
-            .is_hidden = is_hidden,
-            .is_closed = is_closed,
-            .points = points,
-            .curves = {},
-            .chains = {},
-            .edges = {}};
-}
-PageLine visible(const Points& points) { return line(false, points); }
-PageLine hidden(const Points& points) { return line(true, points); }
+PageLine visible(const Points& points) { return page_line(false, points); }
+PageLine hidden(const Points& points) { return page_line(true, points); }
 
 PenLines without_doubles(PenLines lines, double min_length_mm = 0.0) {
     tools::leave_out_hidden_doubles(lines, 0, k_reach, min_length_mm);
@@ -179,7 +173,7 @@ TEST_CASE("a closed hidden line is cut where it passes beside others, wherever i
         Points turned = corners;
         std::rotate(turned.begin(), turned.begin() + std::ptrdiff_t(start), turned.end());
         const PenLines lines =
-            without_doubles({visible({{-5, 0.3}, {15, 0.3}}), line(true, turned, true)});
+            without_doubles({visible({{-5, 0.3}, {15, 0.3}}), page_line(true, turned, true)});
         REQUIRE(lines.size() == 2);
         CHECK_FALSE(lines[1].is_closed);
         CHECK(lines[1].length_mm() == doctest::Approx(30.0).epsilon(0.05));
@@ -188,7 +182,7 @@ TEST_CASE("a closed hidden line is cut where it passes beside others, wherever i
     }
     // Away from others, it stays closed.
     const PenLines lines =
-        without_doubles({visible({{-5, 3}, {-5, 9}}), line(true, corners, true)});
+        without_doubles({visible({{-5, 3}, {-5, 9}}), page_line(true, corners, true)});
     CHECK(lines[1].is_closed);
     CHECK(lines[1].points == corners);
 }
@@ -214,7 +208,7 @@ TEST_CASE("whatever is left out of random bundles lies beside what stays" *
                         glm::mix(from, to, share) +
                         (aside + 0.05 * noise(random) + bend * share * (1.0 - share)) * normal));
                 }
-                lines.push_back(line(i > 1, points, i == 3));
+                lines.push_back(page_line(i > 1, points, i == 3));
             }
         }
         const PenLines rest = without_doubles(lines);
