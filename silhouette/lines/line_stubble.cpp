@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <optional>
 
@@ -31,6 +32,8 @@ constexpr double k_double_spacing = 0.25, k_touching = 0.125;
 constexpr double k_tail_reach = 0.35;
 // Places of a tail are no nearer to each other than this share of the stubble, however small the gap is.
 constexpr double k_least_spacing = 1.0 / 256.0;
+// What closes is narrow where it is no longer than this many times its diameter: an ellipse, if a fifth as wide as long.
+constexpr double k_narrow_diameters = 2.15;
 constexpr std::uint32_t k_no_stroke = 0xffffffffu;
 
 // The parts of a segment that are no longer than `spacing`; where that is next to nothing, many.
@@ -40,10 +43,50 @@ int parts_of(double length, double spacing) {
 
 }  // namespace
 
+LineStubble::Extent::Extent() {
+    low.fill(std::numeric_limits<double>::infinity());
+    high.fill(-std::numeric_limits<double>::infinity());
+}
+
+void LineStubble::Extent::include(const glm::dvec2& place) {
+    static const std::array<glm::dvec2, k_directions> k_ways = [] {
+        std::array<glm::dvec2, k_directions> ways;
+        for (std::size_t i = 0; i < k_directions; ++i) {
+            const double angle = std::numbers::pi * double(i) / double(k_directions);
+            ways[i] = {std::cos(angle), std::sin(angle)};
+        }
+        return ways;
+    }();
+    for (std::size_t i = 0; i < k_directions; ++i) {
+        const double at = glm::dot(place, k_ways[i]);
+        low[i] = std::min(low[i], at);
+        high[i] = std::max(high[i], at);
+    }
+}
+
+void LineStubble::Extent::include(const Extent& other) {
+    for (std::size_t i = 0; i < k_directions; ++i) {
+        low[i] = std::min(low[i], other.low[i]);
+        high[i] = std::max(high[i], other.high[i]);
+    }
+}
+
+double LineStubble::Extent::diameter() const {
+    double diameter = 0.0;
+    for (std::size_t i = 0; i < k_directions; ++i) diameter = std::max(diameter, high[i] - low[i]);
+    return diameter;
+}
+
+// Of what closes: that of one line, where it looks like one.
+double LineStubble::seen_length(double length, const Extent& extent) {
+    return length <= k_narrow_diameters * extent.diameter() ? 0.5 * length : length;
+}
+
 void LineStubble::fill(double gap, const LineDrawing& drawing) {
     segments_.clear();
     first_segments_.assign(1, 0);
     lengths_.clear();
+    extents_.assign(drawing.strokes.size(), {});
     is_closed_.clear();
     glm::dvec2 low(std::numeric_limits<double>::infinity()), high = -low;
     for (std::uint32_t s = 0; s < drawing.strokes.size(); ++s) {
@@ -65,6 +108,7 @@ void LineStubble::fill(double gap, const LineDrawing& drawing) {
                     high = glm::max(high, glm::max(*from, to));
                 }
                 from = to;
+                extents_[s].include(to);
             }
         }
         first_segments_.push_back(static_cast<std::uint32_t>(segments_.size()));
@@ -137,7 +181,8 @@ bool LineStubble::has_other_along(std::uint32_t stroke, const glm::dvec2& way,
 bool LineStubble::is_loose(std::uint32_t stroke, const LineOptions& options) const {
     if (first_segments_[stroke] == first_segments_[stroke + 1]) return true;
     if (lengths_[stroke] >= 2.0 * options.stubble) return false;
-    if (is_closed_[stroke] != 0) return lengths_[stroke] < options.stubble;
+    if (is_closed_[stroke] != 0)
+        return seen_length(lengths_[stroke], extents_[stroke]) < options.stubble;
     const auto is_end_loose = [&](const glm::dvec2& end) {
         return !is_held(end, stroke, options.gap);
     };
@@ -194,9 +239,11 @@ bool LineStubble::is_double(std::uint32_t stroke, const LineOptions& options) co
 // Strokes that only hold each other, as the two sides of a sliver, are loose as a closed one of their length is.
 void LineStubble::find_loose_groups(const LineOptions& options) {
     DisjointSets groups(lengths_.size());
+    const auto is_long = [&](std::uint32_t s) {
+        return is_closed_[s] != 0 || lengths_[s] >= options.stubble;
+    };
     for (std::uint32_t s = 0; s < lengths_.size(); ++s) {
-        const bool is_long = is_closed_[s] != 0 || lengths_[s] >= options.stubble;
-        if (is_there_[s] == 0 || is_loose_[s] != 0 || is_long) continue;
+        if (is_there_[s] == 0 || is_loose_[s] != 0 || is_long(s)) continue;
         for (const glm::dvec2& end :
              {segments_[first_segments_[s]].from, segments_[first_segments_[s + 1] - 1].to})
             grid_.each_cell(end, end, [&](std::uint32_t cell) {
@@ -210,10 +257,18 @@ void LineStubble::find_loose_groups(const LineOptions& options) {
     }
     const std::vector<std::uint32_t> group = groups.take_numbers();
     group_lengths_.assign(lengths_.size(), 0.0);
+    group_extents_.assign(lengths_.size(), {});
+    has_long_.assign(lengths_.size(), 0);
+    for (std::uint32_t s = 0; s < lengths_.size(); ++s) {
+        if (is_there_[s] == 0 || is_loose_[s] != 0) continue;
+        group_lengths_[group[s]] += lengths_[s];
+        group_extents_[group[s]].include(extents_[s]);
+        if (is_long(s)) has_long_[group[s]] = 1;
+    }
     for (std::uint32_t s = 0; s < lengths_.size(); ++s)
-        if (is_there_[s] != 0 && is_loose_[s] == 0) group_lengths_[group[s]] += lengths_[s];
-    for (std::uint32_t s = 0; s < lengths_.size(); ++s)
-        if (is_there_[s] != 0 && group_lengths_[group[s]] < options.stubble) is_loose_[s] = 1;
+        if (is_there_[s] != 0 && has_long_[group[s]] == 0 &&
+            seen_length(group_lengths_[group[s]], group_extents_[group[s]]) < options.stubble)
+            is_loose_[s] = 1;
 }
 
 // A loose stroke stays where it holds two ends of strokes that are not loose, and no other such stroke does.

@@ -3,7 +3,8 @@
 // Stubble: short strokes that a pen would not draw. They come and go with the tessellation of the mesh.
 //
 //   loose   A short stroke with an end where no other stroke is; twice as long, if that is true of both ends. Several
-//           that hold only each other, if all together are that short. A
+//           that hold only each other, if all together are that short. A closed stroke, or several with each other,
+//           counts as half as long if it is as narrow as a sliver: it looks like one line. A
 //           short stroke between others, like the short edge of a plate or a piece of an outline between two folds,
 //           stays: without it, there would be a gap. So does one that two longer strokes end at, and one with a part
 //           of the outline, which has nothing behind it on one side: an outline has no gaps.
@@ -14,6 +15,8 @@
 //           stroke, and no part of the outline. The stroke is cut there. Sharp edges and borders have no tails: they
 //           meet in corners.
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <vector>
@@ -51,6 +54,17 @@ private:
         glm::dvec2 place, way;
     };
 
+    // Its widths in directions at equal angles, of which the greatest is at least 0.98 of the diameter.
+    struct Extent {
+        Extent();
+        void include(const glm::dvec2& place);
+        void include(const Extent& other);
+        double diameter() const;
+        static constexpr std::size_t k_directions = 8;
+        std::array<double, k_directions> low, high;
+    };
+    static double seen_length(double length, const Extent& extent);
+
     static glm::dvec2 nearest_on(const Segment& segment, const glm::dvec2& place);
     static double distance_to(const Segment& segment, const glm::dvec2& place);
 
@@ -87,7 +101,8 @@ private:
     std::vector<Segment> segments_;
     std::vector<std::uint32_t> first_segments_;  // Of each stroke, and one more.
     std::vector<double> lengths_, group_lengths_;
-    std::vector<std::uint8_t> is_closed_, is_there_, is_loose_, stays_;
+    std::vector<Extent> extents_, group_extents_;
+    std::vector<std::uint8_t> is_closed_, is_there_, is_loose_, stays_, has_long_;
     enum class Answer : std::uint8_t { unknown, no, yes };
     static Answer answer(bool is_so) noexcept { return is_so ? Answer::yes : Answer::no; }
     std::vector<Answer> has_outline_,

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <set>
 #include <vector>
 
@@ -54,6 +55,16 @@ public:
     }
     std::array<glm::dvec2, 2> ends() const {
         return {parts_.front().front(), parts_.back().back()};
+    }
+    /// The greatest distance of two of its points.
+    double diameter() const {
+        double greatest = 0.0;
+        for (const std::vector<glm::dvec2>& part : parts_)
+            for (const glm::dvec2& p : part)
+                for (const std::vector<glm::dvec2>& other : parts_)
+                    for (const glm::dvec2& q : other)
+                        greatest = std::max(greatest, glm::distance(p, q));
+        return greatest;
     }
     /// Places in the middle of stretches of about this length, in the order of the stroke.
     std::vector<StrokePlace> places(double spacing) const {
@@ -167,7 +178,9 @@ TEST_CASE("only short strokes with loose ends and doubles and tails of doubles a
                     loose_ends +=
                         !pair.passes_near(end, options.gap * (1.0 - 1e-9),
                                           [&](std::size_t i) { return pair.is_kept[i] != 0; });
-            if (stroke.length < loose_ends * options.stubble) {
+            // What is narrow looks like one line.
+            const bool is_narrow = stroke.is_closed && stroke.length <= 2.15 * stroke.diameter();
+            if (stroke.length < (is_narrow ? 2 : loose_ends) * options.stubble) {
                 ++loose;
                 continue;
             }
@@ -321,6 +334,38 @@ TEST_CASE("short strokes that hold only each other go as one closed stroke of th
     std::vector<Polyline> held = sliver(0.3);
     held.push_back(horizontal(0.3, 5, 0));
     CHECK(strokes.keep(held).count == 3);
+}
+
+TEST_CASE("what closes and is narrow counts as a line of half its length, at every angle") {
+    const StrokesBeforeSquare strokes;
+    for (int degrees = 0; degrees < 180; degrees += 5) {
+        CAPTURE(degrees);
+        const double angle = glm::radians(double(degrees));
+        const glm::dvec2 along(std::cos(angle), std::sin(angle)), across(-along.y, along.x);
+        // A rhombus as one closed stroke, and as two that touch at both ends.
+        const auto kept = [&](double length, double width) {
+            const std::array<glm::dvec2, 4> corners{
+                glm::dvec2(0.0), 0.5 * (length * along + width * across), length * along,
+                0.5 * (length * along - width * across)};
+            const std::size_t closed =
+                strokes.keep({{corners[0], corners[1], corners[2], corners[3], corners[0]}}).count;
+            const std::size_t halves = strokes
+                                           .keep({{corners[0], corners[1], corners[2]},
+                                                  {corners[0], corners[3], corners[2]}})
+                                           .count;
+            CHECK(halves == 2 * closed);
+            return closed;
+        };
+        CHECK(kept(0.9, 0.15) == 0);
+        CHECK(kept(0.9, 0.4) == 1);
+    }
+    CHECK(strokes.keep({{{0, 0}, {1.01, 0.05}, {0, 0}}}).count == 1);
+    // Held by a long stroke, two sides of a sliver stay.
+    CHECK(strokes
+              .keep({{{0, 0}, {0.4, 0.06}, {0.8, 0}},
+                     {{0, 0}, {0.4, -0.06}, {0.8, 0}},
+                     horizontal(0.8, 5, 0)})
+              .count == 3);
 }
 
 TEST_CASE("a short stroke between two long ones stays") {
