@@ -21,7 +21,8 @@ engine=(libvulkan-dev mesa-vulkan-drivers glslang-tools libglfw3-dev libimgui-de
 python=(pybind11-dev python3-dev python3-numpy)
 packages=(dpkg-dev file "${python[@]}")
 site=(doxygen python3-sphinx python3-myst-parser furo python3-breathe)
-cpu_tests=(ccache doctest-dev libgmp-dev python3 librsvg2-bin poppler-utils python3-ezdxf)
+cpu_tests=(ccache doctest-dev libgmp-dev python3 librsvg2-bin poppler-utils python3-ezdxf
+    zsh fish)
 engine_tests=("${packages[@]}" libembree-dev libvulkan-volk-dev vulkan-validationlayers spirv-tools xvfb
     python3-pytest python3-pip python3-setuptools python3-wheel mypy "${site[@]}")
 fuzz=(clang-16 libclang-rt-16-dev python3)

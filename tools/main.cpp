@@ -27,6 +27,7 @@
 #include "tools/manual_page.h"
 #include "tools/nearest_name.h"
 #include "tools/option_table.h"
+#include "tools/options/offered_values.h"
 #include "tools/options/option_types.h"
 #include "tools/output/leftover.h"
 #include "tools/output/summary_stream.h"
@@ -189,7 +190,7 @@ Program::Program() {
     app_.add_flag("--manual", wants_manual_, "Print the manual page, for man -l -");
     app_.add_flag("--json", json_, k_json_description);
     app_.add_flag("--quiet", quiet_, k_quiet_description);
-    table_ = rimline::tools::option_table(app_);
+    table_ = rimline::tools::option_table(app_, rimline::tools::offered_values);
 }
 
 void Program::add_shared_options(CLI::App& sub, bool has_json) {

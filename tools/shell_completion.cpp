@@ -41,7 +41,7 @@ std::string zsh_text(std::string text) {
 }
 
 std::string zsh_action(const OptionRow& option) {
-    if (!option.choices.empty()) return "(" + joined(option.choices, " ") + ")";
+    if (!option.offered.empty()) return "(" + joined(option.offered, " ") + ")";
     if (option.takes_file()) return "_files";
     return option.takes_folder() ? "_files -/" : " ";
 }
@@ -91,9 +91,9 @@ std::string bash_completion(const CommandRow& program) {
             for (const std::string& name : option.names)
                 places.push_back("\"" + command->path + " " + name + "\"");
             std::string action = ":";
-            if (!option.choices.empty())
+            if (!option.offered.empty())
                 action =
-                    "COMPREPLY=($(compgen -W \"" + joined(option.choices, " ") + "\" -- \"$cur\"))";
+                    "COMPREPLY=($(compgen -W \"" + joined(option.offered, " ") + "\" -- \"$cur\"))";
             else if (option.takes_file())
                 action = "COMPREPLY=($(compgen -f -- \"$cur\"))";
             else if (option.takes_folder())
@@ -145,6 +145,12 @@ std::string zsh_completion(const CommandRow& program) {
     std::string cases;
     for (const CommandRow& command : program.commands) {
         cases += "    " + command.name + ")\n";
+        if (command.name == "batch")
+            // What follows -- is a command line of its own.
+            cases +=
+                "        local -i end=${words[(i)--]}\n        if (( end < CURRENT )); then\n"
+                "        shift $(( end - 1 )) words; (( CURRENT -= end - 1 )); _" +
+                program.name + "; return\n        fi\n";
         if (command.commands.empty()) {
             cases += "        " + zsh_arguments(command) + "\n        ;;\n";
             continue;
@@ -167,7 +173,7 @@ std::string zsh_completion(const CommandRow& program) {
 }
 
 std::string fish_completion(const CommandRow& program) {
-    const std::string at = "__" + program.name + "_at";
+    const std::string at = "__" + program.name + "_at", batched = "__" + program.name + "_batched";
     std::string paths, lines;
     for (const CommandRow* command : all_commands(program)) {
         if (command != &program) paths += " '" + command->path + "'";
@@ -180,8 +186,8 @@ std::string fish_completion(const CommandRow& program) {
             lines += line;
             for (const std::string& name : option.names)
                 lines += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
-            if (!option.choices.empty())
-                lines += " -x -a '" + joined(option.choices, " ") + "'";
+            if (!option.offered.empty())
+                lines += " -x -a '" + joined(option.offered, " ") + "'";
             else if (option.takes_file())
                 lines += " -r -F";
             else if (option.takes_folder())
@@ -196,11 +202,16 @@ std::string fish_completion(const CommandRow& program) {
            "\n    for word in (commandline -opc)[2..-1]\n"
            "        if contains -- \"$path $word\"" +
            paths +
-           "\n            set path \"$path $word\"\n        else if test \"$path $word\" = \"" +
-           program.name + " batch --\"\n            set path " + program.name +
-           "\n        end\n    end\n"
+           "\n            set path \"$path $word\"\n        end\n    end\n"
            "    test \"$path\" = \"$argv[1]\"\nend\n\n" +
-           lines;
+           "# What follows batch -- is a command line of its own.\n" + "function " + batched +
+           "\n    set -l words (commandline -opc)\n"
+           "    set -l end (contains -i -- -- $words)\n"
+           "    and test \"$words[2]\" = batch\n"
+           "    and string join ' ' -- " +
+           program.name + " $words[(math $end + 1)..-1] (commandline -ct)\nend\n" + "complete -c " +
+           program.name + " -n '" + batched + " >/dev/null' -x -a '(complete -C (" + batched +
+           "))'\n" + lines;
 }
 
 }  // namespace rimline::tools

@@ -5,7 +5,7 @@ import shutil
 import subprocess
 import tempfile
 
-from program import COMMANDS, fail, run, skip
+from program import COMMANDS, fail, have_device, run, skip
 
 
 def completions(*words):
@@ -33,9 +33,61 @@ def test_bash_completes_names_of_subcommands_options_and_values():
     assert completions("rimline", "field", "--weight", "=", "a") == ["area"]
     assert completions("rimline", "info", "") == ["a.obj", "sub"]
     assert completions("rimline", "silhouette", "--from", "") == []
-    assert completions("rimline", "batch", "models", "--", "vie") == ["views", "view"]
-    assert completions("rimline", "batch", "models", "--", "views", "--styl") == ["--style"]
-    assert completions("rimline", "batch", "models", "--", "views", "--style", "bl") == ["blueprint"]
+    # Names beside other values.
+    assert completions("rimline", "convert", "--up", "-") == ["-x", "-y", "-z"]
+
+
+def test_bash_completes_names_that_pictures_take_beside_other_values():
+    if shutil.which("bash") is None:
+        skip("bash is not installed")
+    assert completions("rimline", "points", "--eye", "") == ["front", "back", "left", "right", "top", "bottom", "three-quarter"]
+    have_device()
+    assert completions("rimline", "render", "--eye", "f") == ["front"]
+    assert completions("rimline", "render", "--eye", "au") == ["auto"]
+    assert {"material", "maroon"} <= set(completions("rimline", "render", "--line-color", "m"))
+    assert {"none", "navy"} <= set(completions("rimline", "views", "--background", "n"))
+    palettes = completions("rimline", "animate", "--palette", "")
+    assert "sepia" in palettes and len(set(palettes)) == len(palettes), palettes
+
+
+def shell_completions(shell, *words):
+    """What zsh or fish is told to offer for the last of these words, in lines."""
+    if shutil.which(shell) is None:
+        skip(f"{shell} is not installed")
+    if shell == "zsh":
+        # The script completes when it is read: with the words that the shell sets.
+        commands = """_arguments() { print -l -- "$@" }; _describe() { print -l -- "${(P@)2}" }
+                      words=("$@"); CURRENT=$#; source /dev/stdin"""
+        command = ["zsh", "-f", "-c", commands, "zsh", *words]
+    else:
+        command = ["fish", "--no-config", "-c", 'source -; complete -C "$argv"', *words]
+    result = subprocess.run(command, input=run("--completion", shell).stdout, capture_output=True, text=True, timeout=60)
+    assert result.returncode == 0 and result.stderr == "", result.stderr
+    return result.stdout.splitlines()
+
+
+def check_completions(shell):
+    def begins(text, *words):
+        return any(line.startswith(text) for line in shell_completions(shell, *words))
+
+    views, style = ("views:", "*--style[") if shell == "zsh" else ("views\t", "--style\t")
+    assert begins(views, "rimline", "vie")
+    assert begins(style, "rimline", "views", "a.obj", "--sty")
+    assert begins(views, "rimline", "batch", "models", "--", "vie")
+    assert begins(style, "rimline", "batch", "models", "--", "views", "--sty")
+    assert not begins(style, "rimline", "batch", "models", "--sty")
+
+
+def test_zsh_completes_names():
+    check_completions("zsh")
+    names = [line for line in shell_completions("zsh", "rimline", "convert", "--up", "") if line.startswith("*--up[")]
+    assert len(names) == 1 and names[0].endswith(":(x -x y -y z -z auto)"), names
+
+
+def test_fish_completes_names():
+    check_completions("fish")
+    names = shell_completions("fish", "rimline", "convert", "--up", "")
+    assert {name.split("\t")[0] for name in names} == {"x", "-x", "y", "-y", "z", "-z", "auto"}, names
 
 
 def test_scripts_for_shells_are_well_formed():

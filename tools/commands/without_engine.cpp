@@ -7,6 +7,7 @@
 #include "tools/absent_part.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/model_octree.h"
+#include "tools/options/offered_values.h"
 #include "tools/options/up_option.h"
 #include "tools/options/view_camera.h"
 #include "tools/options/view_choice.h"
@@ -15,6 +16,8 @@
 #include "tools/output/points_picture.h"
 
 namespace rimline::tools {
+
+std::vector<std::string> offered_palettes() { return {}; }
 
 namespace {
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cctype>
 #include <charconv>
-#include <vector>
 
 #include "tools/nearest_name.h"
 
@@ -212,11 +211,13 @@ std::optional<Color> color_of(std::string_view text) {
     return std::nullopt;
 }
 
-std::string nearest_color(std::string_view text) {
+std::vector<std::string> color_names() {
     std::vector<std::string> names;
     for (const NamedColor& color : k_css_colors) names.emplace_back(color.name);
     for (const NamedColor& color : k_own_colors) names.emplace_back(color.name);
-    return did_you_mean(text, names);
+    return names;
 }
+
+std::string nearest_color(std::string_view text) { return did_you_mean(text, color_names()); }
 
 }  // namespace rimline::tools

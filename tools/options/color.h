@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rimline::tools {
 
@@ -19,6 +20,9 @@ struct Color {
 /// `#rgb`, `#rrggbb`, the same with alpha as a further digit or two, or a color name of CSS (Color Module Level 4,
 /// 148 names), in upper or lower case, or one of ours: paper, sky. Nothing for another text.
 std::optional<Color> color_of(std::string_view text);
+
+/// All names, those of CSS first.
+std::vector<std::string> color_names();
 
 /// "; did you mean 'NAME'?" for a mistyped name; else empty.
 std::string nearest_color(std::string_view text);

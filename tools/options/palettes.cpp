@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/common.hpp>
 
+#include "tools/options/offered_values.h"
 #include "tools/options/picture_scene.h"
 #include "tools/options/style_names.h"
 
@@ -78,6 +79,20 @@ std::string palette_names(Style style) {
     std::string names(own_palette(style));
     for (const NamedPalette& palette : k_palettes)
         if (palette.style == style) names.append(", ").append(palette.name);
+    return names;
+}
+
+std::vector<std::string> offered_palettes() {
+    std::vector<std::string> names;
+    const auto add = [&](std::string_view name) {
+        if (!name.empty() && std::ranges::find(names, name) == names.end())
+            names.emplace_back(name);
+    };
+    for (const Style style : k_styles) {
+        add(own_palette(style));
+        for (const NamedPalette& palette : k_palettes)
+            if (palette.style == style) add(palette.name);
+    }
     return names;
 }
 

@@ -66,7 +66,7 @@ void SceneOptions::add_palette_to(CLI::App& app) {
            "Colors of the style, which --color, --line-color and --background replace one by "
            "one. " +
                all_palette_names())
-        ->type_name("NAME")
+        ->type_name("PALETTE")
         ->group("Style");
 }
 

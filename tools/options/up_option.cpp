@@ -17,6 +17,8 @@ constexpr std::array<std::string_view, 6> k_axis_names{"x", "-x", "y", "-y", "z"
 
 }  // namespace
 
+std::vector<std::string> axis_names() { return {k_axis_names.begin(), k_axis_names.end()}; }
+
 glm::vec3 parse_up(const std::string& option, const std::string& text) {
     for (std::size_t i = 0; i < k_axis_names.size(); ++i)
         if (text == k_axis_names[i]) return glm::vec3(k_axis_directions[i]);

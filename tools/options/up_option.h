@@ -7,12 +7,15 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "silhouette/mesh/mesh.h"
 #include "tools/cli_classes.h"
 
 namespace rimline::tools {
 
+/// x, -x, y, ...
+std::vector<std::string> axis_names();
 /// `x,y,z`, or an axis: x, y, z, -x, -y, -z. Throws CLI::ValidationError.
 glm::vec3 parse_up(const std::string& option, const std::string& text);
 /// A direction, or an axis: x, y, z, -x, -y, -z. The word `auto` sets `is_auto`.

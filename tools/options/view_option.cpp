@@ -52,6 +52,8 @@ glm::dvec3 direction_of_view(NamedView view, const glm::dvec3& up) {
 
 }  // namespace
 
+std::vector<std::string> view_names() { return {k_view_names.begin() + 1, k_view_names.end()}; }
+
 void ViewOption::add(CLI::App& app, NamedView first,
                      std::function<void(const std::string&)> set_eye, const char* description) {
     constexpr const char* k_group = "Camera";
@@ -68,7 +70,7 @@ void ViewOption::add(CLI::App& app, NamedView first,
                    set_eye(text);
                },
                description)
-            ->type_name("X,Y,Z|VIEW")
+            ->type_name(first == NamedView::automatic ? "X,Y,Z|VIEW|auto" : "X,Y,Z|VIEW")
             ->group(k_group);
     add_number(
         app, "--azimuth", azimuth_deg, -360.0, 360.0,

@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "silhouette/mesh/mesh.h"
 #include "tools/cli_classes.h"
@@ -25,6 +26,9 @@ enum class NamedView : std::uint8_t {
     bottom,
     three_quarter,
 };
+
+/// Of all views but NamedView::automatic.
+std::vector<std::string> view_names();
 
 struct ViewOption {
     std::optional<NamedView> name;  ///< Of --eye.
