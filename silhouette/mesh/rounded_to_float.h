@@ -13,8 +13,4 @@ inline glm::dmat3 rounded_to_float(const glm::dmat3& m) {
     return {rounded_to_float(m[0]), rounded_to_float(m[1]), rounded_to_float(m[2])};
 }
 
-/// Whether floats lose the shape of what has this extent at this distance from the origin: of their 24 bits fewer than
-/// 8 are left for it.
-inline bool floats_lose_shape(double extent, double distance) { return extent * 0x1p16 < distance; }
-
 }  // namespace rimline

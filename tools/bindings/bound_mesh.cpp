@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "silhouette/mesh/formats/mesh_file.h"
 #include "tools/options/model_argument.h"
 
 namespace rimline::tools {
@@ -54,10 +53,6 @@ const std::vector<std::array<std::int64_t, 2>>& BoundMesh::edge_faces() {
         }
         return pairs;
     });
-}
-
-std::string BoundMesh::lost_shape_warning() const {
-    return rimline::lost_shape_warning(name_, positions_);
 }
 
 glm::dvec3 long_direction(const glm::dvec3& direction) {

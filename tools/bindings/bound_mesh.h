@@ -53,8 +53,6 @@ public:
     BoundMesh(std::string name, MeshSource source, Welding welding, const LongCall& call);
 
     const std::string& name() const noexcept { return name_; }
-    /// Empty, or that floats have lost the shape of a mesh far from the origin.
-    std::string lost_shape_warning() const;
     const Mesh& mesh() const noexcept { return mesh_; }
     /// By the numbers of the file, with unused ones.
     const std::vector<glm::vec3>& positions() const noexcept { return positions_; }

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "silhouette/mesh/brute_force.h"
+#include "silhouette/mesh/formats/mesh_file.h"
 #include "silhouette/printable_text.h"
 #include "tools/bindings/bound_drawer.h"
 #include "tools/bindings/bound_mesh.h"
@@ -299,11 +300,11 @@ rimline_status rimline_mesh_create(const float* positions, size_t vertex_count,
                                      std::to_string(vertex_count));
                 source.triangles[face][corner] = vertex;
             }
+        std::vector<std::string> warnings;
+        if (std::string warning = rimline::lost_shape_warning("the mesh", source); !warning.empty())
+            warnings.push_back(std::move(warning));
         auto shared = std::make_shared<rimline::tools::BoundMesh>(
             "the mesh", std::move(source), rimline::Welding::equal_positions, long_call.get());
-        std::vector<std::string> warnings;
-        if (std::string warning = shared->lost_shape_warning(); !warning.empty())
-            warnings.push_back(std::move(warning));
         *mesh = new rimline_mesh{std::move(shared), std::move(warnings)};
     });
 }

@@ -15,7 +15,7 @@
 #include "silhouette/error.h"
 #include "silhouette/mesh/any_perpendicular.h"
 #include "silhouette/mesh/homogeneous_point.h"
-#include "silhouette/mesh/rounded_to_float.h"
+#include "silhouette/mesh/lost_shape.h"
 #include "tools/options/exact_text.h"
 #include "tools/options/option_types.h"
 #include "tools/options/up_option.h"
@@ -37,7 +37,6 @@ double parse_finite(const std::string& option, const std::string& text,
 }
 
 void append_positions(MeshSource& all, const PlacedSource& placed) {
-    glm::dvec3 low(std::numeric_limits<double>::max()), high(-low);
     for (const glm::vec3& position : placed.source->positions) {
         const glm::dvec3 there = placed.at + placed.matrix * glm::dvec3(position);
         const double reach = std::max({std::abs(there.x), std::abs(there.y), std::abs(there.z)});
@@ -45,11 +44,11 @@ void append_positions(MeshSource& all, const PlacedSource& placed) {
             throw Error(ErrorCode::too_large,
                         placed.name + ": its place is outside of the range of coordinates, 2^60");
         all.positions.emplace_back(there);
-        low = glm::min(low, there);
-        high = glm::max(high, there);
     }
-    const double extent = glm::length(high - low), distance = glm::length(placed.at);
-    if (!placed.source->positions.empty() && floats_lose_shape(extent, distance))
+    // The matrix turns and scales alike along all axes.
+    const double detail = glm::length(placed.matrix[0]) *
+                          detail_size(placed.source->positions, placed.source->triangles);
+    if (floats_lose_shape(detail, glm::length(placed.at)))
         all.warnings.push_back(placed.name +
                                ": lies so far from the origin of the scene that "
                                "single precision loses its shape; place the models "

@@ -6,6 +6,7 @@
 
 #include "silhouette/hough/silhouette_tracker.h"
 #include "silhouette/mesh/brute_force.h"
+#include "silhouette/mesh/formats/mesh_file.h"
 #include "tools/options/model_argument.h"
 #include "tools/options/up_option.h"
 #include "tools/python/arrays.h"
@@ -48,13 +49,14 @@ SharedMesh mesh_of_arrays(const py::object& vertices, const py::object& faces, c
         source.up = axis == "z" ? UpAxis::z : UpAxis::y;
         source.is_up_known = true;
     }
+    std::string warning;
     SharedMesh mesh = long_result(progress, [&](const LongCall& call) {
         source.positions = vertex_rows.float_positions(call.part(0.0, 0.05));
         source.triangles = face_rows.faces(source.positions.size(), call.part(0.05, 0.1));
+        warning = lost_shape_warning(k_unnamed, source);
         return std::make_shared<BoundMesh>(k_unnamed, std::move(source), welding,
                                            call.part(0.1, 1.0));
     });
-    const std::string warning = mesh->lost_shape_warning();
     if (!warning.empty()) warn(warning);
     return mesh;
 }

@@ -9,7 +9,7 @@
 #include "silhouette/mesh/formats/file_colors.h"
 #include "silhouette/mesh/formats/file_format.h"
 #include "silhouette/mesh/formats/readers.h"
-#include "silhouette/mesh/rounded_to_float.h"
+#include "silhouette/mesh/lost_shape.h"
 
 namespace rimline {
 
@@ -32,15 +32,15 @@ MeshSource read_format(const KnownFile& known, BadPoints bad, const LongCall& ca
 
 }  // namespace
 
-std::string lost_shape_warning(const std::string& name, std::span<const glm::vec3> positions) {
-    if (positions.empty()) return {};
-    glm::dvec3 low(positions.front()), high(low);
-    for (const glm::vec3& position : positions) {
-        low = glm::min(low, glm::dvec3(position));
-        high = glm::max(high, glm::dvec3(position));
+std::string lost_shape_warning(const std::string& name, const MeshSource& source) {
+    if (source.positions.empty()) return {};
+    glm::vec3 low(source.positions.front()), high(low);
+    for (const glm::vec3& position : source.positions) {
+        low = glm::min(low, position);
+        high = glm::max(high, position);
     }
-    const double extent = glm::length(high - low);
-    if (!(extent > 0.0) || !floats_lose_shape(extent, glm::length(0.5 * (low + high)))) return {};
+    const double distance = glm::length(0.5 * (glm::dvec3(low) + glm::dvec3(high)));
+    if (!floats_lose_shape(detail_size(source.positions, source.triangles), distance)) return {};
     return name +
            ": lies so far from the origin that single precision loses its shape; subtract an "
            "offset from its coordinates";
@@ -67,7 +67,7 @@ MeshSource checked_mesh(const KnownFile& known, FaceRequirement requirement, con
     if (source.positions.empty()) bad_file(file.name, "no points: there is nothing in it");
     drop_unused_materials(source);
     if (!source.triangles.empty()) {
-        const std::string warning = lost_shape_warning(file.name, source.positions);
+        const std::string warning = lost_shape_warning(file.name, source);
         if (!warning.empty()) add_warning(source.warnings, warning);
     }
     call.checkpoint(1.0);

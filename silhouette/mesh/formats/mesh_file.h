@@ -56,9 +56,9 @@ MeshSource read_mesh_bytes(std::string name, std::string bytes, const std::strin
                            FaceRequirement requirement = FaceRequirement::faces,
                            const LongCall& call = {});
 
-/// Empty, or a warning that says of positions rounded to floats that they lie so far from the origin that the shape is
-/// lost (floats_lose_shape()). `name` begins it. Readers give it as one of MeshSource::warnings.
-std::string lost_shape_warning(const std::string& name, std::span<const glm::vec3> positions);
+/// Empty, or a warning that says of a mesh that it lies so far from the origin that rounding to floats loses its shape
+/// (lost_shape.h). `name` begins it. Readers give it as one of MeshSource::warnings.
+std::string lost_shape_warning(const std::string& name, const MeshSource& source);
 
 /// Reads the pictures of the textures (MaterialTexture::picture), PNG and JPEG, each file once. Only programs that
 /// draw need them. A picture that is missing or faulty becomes a warning, with its place and file. Throws

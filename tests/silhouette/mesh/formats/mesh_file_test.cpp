@@ -207,3 +207,31 @@ TEST_CASE("A stop request reaches into a file's only polygon") {
         CHECK(code == ErrorCode::cancelled);
     }
 }
+
+TEST_CASE("A fine mesh in coordinates of a map is warned of, a coarse one is not") {
+    // A bowl of 100 x 100 squares, or of one, 100 wide.
+    const auto warnings_of = [](int squares, double at) {
+        std::string text;
+        for (int y = 0; y <= squares; ++y)
+            for (int x = 0; x <= squares; ++x) {
+                const double u = 100.0 * x / squares, v = 100.0 * y / squares;
+                text += "v " + std::to_string(at + u) + " " + std::to_string(at + v) + " " +
+                        std::to_string(0.01 * u * v) + "\n";
+            }
+        for (int y = 0; y < squares; ++y)
+            for (int x = 0; x < squares; ++x) {
+                const int first = y * (squares + 1) + x + 1;
+                text += "f " + std::to_string(first) + " " + std::to_string(first + 1) + " " +
+                        std::to_string(first + squares + 2) + "\n";
+            }
+        return read_mesh_bytes("a map", text, ".obj").warnings;
+    };
+    CHECK(warnings_of(1, 450000.25).empty());
+    CHECK(warnings_of(100, 4500.25).empty());
+    const std::vector<std::string> warnings = warnings_of(100, 5411000.25);
+    REQUIRE(warnings.size() == 1);
+    CHECK(warnings[0] ==
+          "a map: lies so far from the origin that single precision loses its shape; subtract an "
+          "offset from its "
+          "coordinates");
+}
