@@ -42,10 +42,7 @@ int exact_direction_side(const glm::dvec3& a, const glm::dvec3& b, const glm::dv
 
 // (by - ay)(cz - az) - (bz - az)(cy - ay), for two of three coordinates.
 int minor_sign(double ay, double az, double by, double bz, double cy, double cz) {
-    const double left = (by - ay) * (cz - az), right = (bz - az) * (cy - ay);
-    // Four roundings of 2^-53 each, and no product is subnormal: differences of floats are 0 or above 2^-150.
-    const double bound = 0x1p-50 * (std::abs(left) + std::abs(right));
-    if (std::abs(left - right) > bound) return left > right ? 1 : -1;
+    if (const int sign = certain_turn({ay, az}, {by, bz}, {cy, cz})) return sign;
     ExactSum sum;
     sum.add(by * cz);
     sum.add(-by * az);

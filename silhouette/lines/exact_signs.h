@@ -10,6 +10,7 @@
 // eye only where the triangle has no area (Edelsbrunner, Mücke, Simulation of Simplicity, 1990).
 
 #include <cmath>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "silhouette/mesh/homogeneous_point.h"
@@ -44,5 +45,14 @@ int seen_side(const HomogeneousPoint& eye, const glm::vec3& a, const glm::vec3& 
 /// The turn p -> q -> r of three points of one plane, which is projected along axis `drop` (0 to 2): 1 for
 /// left, -1 for right, 0 for straight on.
 int flat_turn(int drop, const glm::vec3& p, const glm::vec3& q, const glm::vec3& r) noexcept;
+
+/// The turn p -> q -> r in a plane, of coordinates that are floats: 1 for left, -1 for right, and 0 where double does not
+/// decide it.
+inline int certain_turn(const glm::dvec2& p, const glm::dvec2& q, const glm::dvec2& r) noexcept {
+    const double left = (q.x - p.x) * (r.y - p.y), right = (q.y - p.y) * (r.x - p.x);
+    // Four roundings of 2^-53 each, and no product is subnormal: differences of floats are 0 or above 2^-150.
+    const double bound = 0x1p-50 * (std::abs(left) + std::abs(right));
+    return left - right > bound ? 1 : (right - left > bound ? -1 : 0);
+}
 
 }  // namespace rimline

@@ -26,6 +26,9 @@ public:
     void add_pair(std::uint32_t f, std::uint32_t g) {
         const Triangle &a = mesh_.triangles()[f], &b = mesh_.triangles()[g];
         if (!has_edges(f) || !has_edges(g)) return;
+        // Before the planes: of a corner in the plane of the other they say nothing, and that takes exact sums.
+        const int drop_a = widest_axis(a), drop_b = widest_axis(b);
+        if (is_beside(a, b, drop_a) || (drop_b != drop_a && is_beside(a, b, drop_b))) return;
         if (is_apart(a, g, b) || is_apart(b, f, a)) return;
         add_corners(f, g);
         add_corners(g, f);
@@ -40,6 +43,37 @@ private:
     const glm::vec3& at(VertexId v) const { return positions_[index(v)]; }
     int side_of(const Triangle& t, VertexId v) const {
         return plane_side(at(t[0]), at(t[1]), at(t[2]), at(v));
+    }
+
+    std::array<glm::dvec2, 3> projected(const Triangle& t, int drop) const {
+        const int x = (drop + 1) % 3, y = (drop + 2) % 3;
+        std::array<glm::dvec2, 3> corners;
+        for (std::size_t k = 0; k < 3; ++k) corners[k] = {at(t[k])[x], at(t[k])[y]};
+        return corners;
+    }
+
+    // Whether two faces, projected along an axis, are certainly on different sides of a line, but for shared corners: then
+    // they meet in shared corners and sides only. Of two faces in one plane that meet in no more, most are.
+    bool is_beside(const Triangle& a, const Triangle& b, int drop) const {
+        const std::array<glm::dvec2, 3> p = projected(a, drop), q = projected(b, drop);
+        return has_side_between(a, p, b, q) || has_side_between(b, q, a, p);
+    }
+
+    // Whether the line along a side of `t` has `t` on one side and the corners of `other` that are not on this side of `t`
+    // on the other.
+    static bool has_side_between(const Triangle& t, const std::array<glm::dvec2, 3>& p,
+                                 const Triangle& other, const std::array<glm::dvec2, 3>& q) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t next = k == 2 ? 0 : k + 1;
+            const int inside = certain_turn(p[k], p[next], p[3 - k - next]);
+            if (inside == 0) continue;
+            bool is_between = true;
+            for (std::size_t i = 0; i < 3 && is_between; ++i)
+                is_between = certain_turn(p[k], p[next], q[i]) == -inside || other[i] == t[k] ||
+                             other[i] == t[next];
+            if (is_between) return true;
+        }
+        return false;
     }
 
     // Whether all corners of `t` that are not corners of face `g` lie on one side of its plane, so that they

@@ -6,6 +6,8 @@
 #include <array>
 #include <cstdint>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <set>
 #include <vector>
 
 #include "silhouette/mesh/shapes/built_in_shape.h"
@@ -121,6 +123,92 @@ TEST_CASE("stars that go through each other have the contacts of their faces") {
         CHECK(found.size() > 100);
         CHECK(found == piercings_by_volumes(mesh));
     }
+}
+
+// Twice the area of p, q, r in a plane, of whole numbers.
+int area_of(const glm::ivec2& p, const glm::ivec2& q, const glm::ivec2& r) {
+    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+}
+int sign_of(int value) { return (value > 0) - (value < 0); }
+
+// Faces in one plane with corners at whole numbers, and what meets by these.
+struct LatticeFaces {
+    explicit LatticeFaces(std::uint64_t seed) {
+        tests::Random random(seed);
+        std::set<std::array<std::uint32_t, 3>> used;
+        while (source.triangles.size() < 60) {
+            std::array<std::uint32_t, 3> t{};
+            for (std::uint32_t& corner : t)
+                corner = static_cast<std::uint32_t>(random.below(k_side * k_side));
+            std::array<std::uint32_t, 3> sorted = t;
+            std::ranges::sort(sorted);
+            if (area_of(at(t[0]), at(t[1]), at(t[2])) != 0 && used.insert(sorted).second)
+                source.triangles.push_back(t);
+        }
+    }
+    static glm::ivec2 at(std::uint32_t corner) {
+        return {int(corner) % k_side, int(corner) / k_side};
+    }
+    void place(int orientation) {
+        source.positions.clear();
+        for (std::uint32_t i = 0; i < k_side * k_side; ++i) {
+            const glm::vec2 p(at(i));
+            source.positions.push_back(orientation == 0   ? glm::vec3(p.x, p.y, 0)
+                                       : orientation == 1 ? glm::vec3(2, p.x, p.y)
+                                                          : glm::vec3(p.x, p.y, -p.x - p.y));
+        }
+    }
+    static constexpr int k_side = 6;
+    MeshSource source;
+};
+
+TEST_CASE("faces in one plane have the contacts that whole numbers find") {
+    std::size_t touches = 0, crossings = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed)
+        for (int orientation = 0; orientation < 3; ++orientation) {
+            CAPTURE(seed);
+            CAPTURE(orientation);
+            LatticeFaces faces(seed);
+            faces.place(orientation);
+            const Mesh mesh(faces.source);
+            const FaceContacts found =
+                find_face_contacts(mesh, FaceTree(mesh), find_flat_faces(mesh));
+            const auto place = [&](VertexId v) { return LatticeFaces::at(mesh.file_vertex(v)); };
+            std::vector<std::array<std::uint32_t, 2>> expected, touched, crossed;
+            for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
+                for (std::uint32_t g = 0; g < mesh.face_count(); ++g) {
+                    const Triangle& t = mesh.triangles()[g];
+                    if (std::ranges::count(t, VertexId{v}) > 0) continue;
+                    std::array<int, 3> signs{};
+                    for (std::size_t k = 0; k < 3; ++k)
+                        signs[k] = sign_of(
+                            area_of(place(t[k]), place(t[(k + 1) % 3]), place(VertexId{v})));
+                    if (std::ranges::min(signs) >= 0 || std::ranges::max(signs) <= 0)
+                        expected.push_back({v, g});
+                }
+            for (const FaceContacts::Touch& touch : found.touches)
+                touched.push_back({touch.vertex, touch.face});
+            CHECK(touched == expected);
+            touches += expected.size();
+            expected.clear();
+            for (std::uint32_t e = 0; e < mesh.edge_count(); ++e)
+                for (std::uint32_t f = 0; f < mesh.edge_count(); ++f) {
+                    const auto& [a, b] = mesh.edge(EdgeId{e}).vertices;
+                    const auto& [c, d] = mesh.edge(EdgeId{f}).vertices;
+                    const auto turn = [&](VertexId p, VertexId q, VertexId r) {
+                        return sign_of(area_of(place(p), place(q), place(r)));
+                    };
+                    if (turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0)
+                        expected.push_back({e, f});
+                }
+            for (const auto& crossing : found.crossings)
+                crossed.push_back({crossing.edge, crossing.other});
+            CHECK(crossed == expected);
+            crossings += expected.size();
+            CHECK(found.piercings.empty());
+        }
+    CHECK(touches > 1000);
+    CHECK(crossings > 1000);
 }
 
 TEST_CASE("a search can be cancelled") {

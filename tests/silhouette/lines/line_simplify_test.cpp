@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <glm/geometric.hpp>
 
 #include "tests/silhouette/mesh/random.h"
@@ -43,6 +44,23 @@ TEST_CASE("no point moves by more than the tolerance and the ends stay") {
                                  points[kept[k + 1]].position) <= tolerance);
     }
     CHECK(kept.size() == 2);
+}
+
+TEST_CASE("a comb takes about as long as another line" * doctest::test_suite("plain")) {
+    const auto time = [](const std::vector<LinePoint>& points, std::vector<std::uint32_t>& kept) {
+        const auto begin = std::chrono::steady_clock::now();
+        simplify(points, 0.1, kept);
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    };
+    std::vector<LinePoint> comb;
+    for (int i = 0; i < 100000; ++i)
+        comb.push_back({.position = {0.5 * i, i % 4 < 2 ? 0.0 : 3.0}, .depth = 0.0, .arc = 0.0});
+    std::vector<std::uint32_t> kept;
+    const double walk_s = time(random_walk(3, comb.size()), kept);
+    const double comb_s = time(comb, kept);
+    CHECK(comb_s < 50.0 * walk_s);
+    // Nothing can be left out of it.
+    CHECK(kept.size() == comb.size());
 }
 
 TEST_CASE("lines of no and one point stay") {
