@@ -61,10 +61,9 @@ void ViewInput::move_lights(ViewSession& session, const FreeArea& area) {
     if (ImGui::IsMouseClicked(0)) dragged_light_ = hovered_light_;
 }
 
-void ViewInput::move_camera(ViewSession& session, const FreeArea& area) {
+void ViewInput::move_camera(ViewSession& session, const FreeArea& area, const glm::dvec2& moved) {
     const ImGuiIO& io = ImGui::GetIO();
     if (is_framed) has_own_target_ = false;
-    const glm::dvec2 moved(io.MouseDelta.x, io.MouseDelta.y);
     if (drags_picture_ && (moved.x != 0.0 || moved.y != 0.0)) {
         const bool pans = io.MouseDown[1] || io.MouseDown[2] || io.KeyShift;
         if (flies || pans) {
@@ -122,8 +121,12 @@ bool ViewInput::move_flight(ViewSession& session) {
     return true;
 }
 
-bool ViewInput::apply(ViewSession& session, const FreeArea& area, bool has_handles) {
+bool ViewInput::apply(ViewSession& session, const FreeArea& area, bool has_handles,
+                      const std::optional<Window::MousePress>& press) {
     const ImGuiIO& io = ImGui::GetIO();
+    const glm::dvec2 mouse(io.MousePos.x, io.MousePos.y);
+    const glm::dvec2 moved = press ? press->to.value_or(mouse) - press->from
+                                   : glm::dvec2(io.MouseDelta.x, io.MouseDelta.y);
     const bool any_down = io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2];
     const bool clicked =
         ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2);
@@ -135,7 +138,7 @@ bool ViewInput::apply(ViewSession& session, const FreeArea& area, bool has_handl
     }
     if (!any_down) drags_picture_ = false;
     if (clicked && !io.WantCaptureMouse && !dragged_light_) drags_picture_ = true;
-    move_camera(session, area);
+    move_camera(session, area, moved);
     const bool flying = move_flight(session);
     return flying || drags_picture_ || dragged_light_.has_value();
 }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "tools/view/view_session.h"
+#include "tools/view/window.h"
 
 namespace rimline::tools {
 
@@ -21,8 +22,10 @@ public:
     bool is_framed = false;
 
     /// Applies the input since the last frame to `session`, in a window with this free area. `has_handles`: the handles
-    /// of lights are shown. Returns whether another frame is needed: a drag or a flight is in progress.
-    bool apply(ViewSession& session, const FreeArea& area, bool has_handles);
+    /// of lights are shown. `press`: the last one since then; what the mouse moved before it drags nothing. Returns whether
+    /// another frame is needed: a drag or a flight is in progress.
+    bool apply(ViewSession& session, const FreeArea& area, bool has_handles,
+               const std::optional<Window::MousePress>& press);
 
     /// The light that is dragged, else the light under the mouse.
     std::optional<std::size_t> light() const noexcept {
@@ -31,7 +34,7 @@ public:
 
 private:
     void move_lights(ViewSession& session, const FreeArea& area);
-    void move_camera(ViewSession& session, const FreeArea& area);
+    void move_camera(ViewSession& session, const FreeArea& area, const glm::dvec2& moved);
     bool move_flight(ViewSession& session);
 
     std::optional<std::size_t> hovered_light_;

@@ -205,7 +205,8 @@ void ViewLoop::execute(const PanelRequests& requests) {
     if (requests.arranged) arrange(*requests.arranged, requests.has_new_first);
     if (requests.up) set_up_axis(*requests.up);
     if (requests.look_from) session_.look_from(*requests.look_from);
-    if (requests.fit || requests.look_from || (requests.up && input_.is_framed)) fit();
+    if (requests.fit || requests.look_from || ((requests.up || requests.lens) && input_.is_framed))
+        fit();
     if (requests.fit || requests.look_from || requests.up) played_.reset();
     const bool is_dark =
         (requests.look_from || requests.up) && !session_.is_cloud() && session_.has_chosen_sun();
@@ -234,7 +235,7 @@ void ViewLoop::build_panel() {
     requests_ = {};
     if (options_.panel) {
         const bool has_handles = panel_.visible && !session_.is_cloud();
-        is_moving_ = input_.apply(session_, free_area(), has_handles);
+        is_moving_ = input_.apply(session_, free_area(), has_handles, window_.take_press());
         move_along_path();
         apply_keys();
         const bool is_as_fitted =

@@ -102,6 +102,7 @@ private:
     // Whether there is no such file, or it was written here, or the user has asked for it twice.
     bool may_write(const std::string& path);
     void save(const PanelRequests::Save& save);
+    void round_lights();
     void save_scene(const PanelRequests::Save& save);
     void fit();
     void find_views();

@@ -146,7 +146,11 @@ void ViewLoop::undo_or_redo(bool undoes) {
 
 // Models take a while. Until they are there, the session's state is none of the user's.
 void ViewLoop::restore(const ViewEdit& edit) {
+    const ViewAppearance before = session_.appearance;
     session_.restore(edit);
+    const bool has_lens = before.fov_y_deg == session_.appearance.fov_y_deg &&
+                          before.orthographic == session_.appearance.orthographic;
+    if (!has_lens && input_.is_framed) fit();
     const ModelDocument* const model = session_.document().model();
     if (!model || edit.models == model->models()) {
         if (loads_ == Loads::undone) cancel_load();
@@ -190,6 +194,7 @@ void ViewLoop::save(const PanelRequests::Save& save) {
                     throw UsageError(save.path +
                                      ": this is the model itself; name another file to write");
         if (!may_write(save.path)) return;
+        round_lights();
         const FramedFor framed(session_, input_.is_framed, save.size);
         session_.round_to_options();
         Picture picture =
@@ -209,12 +214,21 @@ void ViewLoop::save(const PanelRequests::Save& save) {
     }
 }
 
+// Before a picture is framed for what is saved: their shadows may widen it. It is no change that could be undone.
+void ViewLoop::round_lights() {
+    const bool is_noted = loads_ != Loads::undone;
+    if (is_noted) history_.note(session_.edit());
+    session_.round_lights();
+    if (is_noted) history_.adopt(session_.edit());
+}
+
 void ViewLoop::save_scene(const PanelRequests::Save& save) {
     try {
         if (!is_scene_file(save.path))
             throw UsageError(save.path + ": the name of a scene file ends in .json");
         OutputFile file(save.path);
         if (!may_write(save.path)) return;
+        round_lights();
         const FramedFor framed(session_, input_.is_framed, save.size);
         file.write(scene_text(session_.written_scene(save.size), save.path));
         file.commit();
@@ -237,6 +251,7 @@ void ViewLoop::copy_command() {
         panel_.show_message(obstacle, MessageKind::error);
         return;
     }
+    round_lights();
     const FramedFor framed(session_, input_.is_framed, picture.size);
     glfwSetClipboardString(window_.handle(), session_.command(picture.size, picture.path).c_str());
     panel_.show_message("the command is in the clipboard", MessageKind::result);

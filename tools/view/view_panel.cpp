@@ -235,13 +235,17 @@ void ViewPanel::draw_view(ViewSession& session, ViewInput& input, PanelRequests&
         requests.up = glm::dvec3(0.0);
         (*requests.up)[up % 3] = up < 3 ? 1.0 : -1.0;
     }
-    if (ImGui::Checkbox("orthographic", &session.appearance.orthographic)) session.apply_lens();
+    if (ImGui::Checkbox("orthographic", &session.appearance.orthographic)) {
+        session.apply_lens();
+        requests.lens = true;
+    }
     if (!session.appearance.orthographic) {
         float fov = float(session.appearance.fov_y_deg);
         same_width();
         if (ImGui::SliderFloat("field of view", &fov, 5.0f, 110.0f, "%.0f deg")) {
             session.appearance.fov_y_deg = std::clamp(double(fov), 1.0, 170.0);
             session.apply_lens();
+            requests.lens = true;
         }
     }
     if (session.frozen()) {
@@ -496,7 +500,8 @@ void ViewPanel::draw(ViewSession& session, ViewInput& input, HoughPanel& hough,
     const float margin = 10.0f * status.scale;
     const float width = k_width * status.scale - 2.0f * margin;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({margin, margin}, ImGuiCond_FirstUseEver);
+    // Every time: it is pushed aside where the window is smaller than it is.
+    ImGui::SetNextWindowPos({margin, margin});
     ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, display.y - 2.0f * margin});
     ImGui::Begin("Rimline", nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove);
     is_folded_ = ImGui::IsWindowCollapsed();

@@ -26,6 +26,7 @@ struct PanelRequests {
     bool has_new_first = false;                        ///< Of these (Arrangement).
     bool cancel = false;                               ///< Cancel the load.
     bool fit = false;                                  ///< Fit the model into the picture.
+    bool lens = false;                                 ///< The camera has another one.
     bool choose_sun = false;                           ///< Light the model for the camera.
     bool play = false;                                 ///< Begin to play the camera path, or stop.
     bool copy_command = false;  ///< Put a command line that draws the picture into the clipboard.

@@ -40,6 +40,24 @@ std::string hex_of(const glm::vec3& linear) {
     return text.data();
 }
 
+// What render refuses where there are no lines (SceneOptions::check_lines()).
+void add_lines(nlohmann::ordered_json& json, const ViewAppearance& appearance) {
+    const StyleDefaults defaults = style_defaults(appearance.style);
+    if (appearance.line_width_px != defaults.line_width_px)
+        json["line-width"] = std::stod(exact_text(appearance.line_width_px));
+    // 180 degrees: none.
+    constexpr double k_none = 180.0;
+    const bool is_own = appearance.crease_angle_deg == defaults.crease_angle_deg &&
+                        (appearance.only_clear_creases || defaults.crease_angle_deg == 0.0f);
+    if (!is_own && appearance.crease_angle_deg == 0.0f)
+        json["crease"] = k_none;
+    else if (!is_own && appearance.only_clear_creases)
+        json["crease"] = "clear";
+    else if (!is_own)
+        json["crease"] = double{appearance.crease_angle_deg};
+    if (appearance.hidden) json["hidden"] = true;
+}
+
 // "picture" of a scene file. What is the style's own is left out.
 nlohmann::ordered_json picture_json(const ViewAppearance& appearance, bool is_three_point,
                                     const std::optional<Camera>& frozen, ImageSize size) {
@@ -54,19 +72,7 @@ nlohmann::ordered_json picture_json(const ViewAppearance& appearance, bool is_th
     else if (appearance.line_color)
         json["line-color"] = hex_of(*appearance.line_color);
     json["lines"] = appearance.lines;
-    if (appearance.line_width_px != defaults.line_width_px)
-        json["line-width"] = std::stod(exact_text(appearance.line_width_px));
-    // 180 degrees: none.
-    constexpr double k_none = 180.0;
-    const bool is_own = appearance.crease_angle_deg == defaults.crease_angle_deg &&
-                        (appearance.only_clear_creases || defaults.crease_angle_deg == 0.0f);
-    if (!is_own && appearance.crease_angle_deg == 0.0f)
-        json["crease"] = k_none;
-    else if (!is_own && appearance.only_clear_creases)
-        json["crease"] = "clear";
-    else if (!is_own)
-        json["crease"] = double{appearance.crease_angle_deg};
-    if (appearance.hidden) json["hidden"] = true;
+    if (appearance.lines) add_lines(json, appearance);
     if (!appearance.shadows)
         json["shadows"] = "off";
     else if (appearance.shadow_method == ShadowMethod::fail)
@@ -90,7 +96,8 @@ bool can_stand_beside(const std::string& key, const nlohmann::ordered_json& pict
     const bool is_frozen =
         picture.contains("silhouette-from") || picture.contains("silhouette-direction");
     if (key == "palette") return has_style_of_file;
-    if (key == "intersections" || key == "min-length") return !is_frozen;
+    const bool has_lines = picture.value("lines", true);
+    if (key == "intersections" || key == "min-length") return has_lines && !is_frozen;
     if (key == "outline" || key == "depth-step" || key == "normal-step")
         return !is_frozen && !picture.contains("crease") && !picture.contains("hidden") &&
                picture.value("line-color", "") != "material";
@@ -360,6 +367,10 @@ void ViewSession::restore(const ViewEdit& edit) {
 
 void ViewSession::round_to_options() {
     camera = rounded_to_float(camera);
+    round_lights();
+}
+
+void ViewSession::round_lights() {
     if (frozen_ && frozen_->is_orthographic())
         frozen_->eye = frozen_->target + rounded_to_float(frozen_->eye - frozen_->target);
     else if (frozen_)

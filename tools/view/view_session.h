@@ -186,6 +186,8 @@ public:
     void restore(const ViewEdit& edit);
     /// Rounds camera and lights as options are parsed, so that command() draws the same picture.
     void round_to_options();
+    /// The same of lights and of a frozen silhouette.
+    void round_lights();
     /// Why no command line can say what is shown, and what to do instead; empty if one can.
     std::string command_obstacle() const;
     /// A command line that draws the picture without the window: of `render`, or of `points` for a cloud.

@@ -52,6 +52,8 @@ struct Window::Events {
     std::vector<int> pressed_keys;
     std::vector<Shortcut> pressed_shortcuts;
     std::vector<std::string> dropped;
+    glm::dvec2 mouse{0.0};
+    std::optional<MousePress> press;
 
     static Events& of(GLFWwindow* window) {
         return *static_cast<Events*>(glfwGetWindowUserPointer(window));
@@ -96,8 +98,18 @@ void Window::listen() {
     glfwSetWindowUserPointer(window_, events_.get());
     const auto mark = [](GLFWwindow* window) { Events::of(window).active = true; };
     static constexpr auto k_mark = mark;
-    glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { k_mark(w); });
-    glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { k_mark(w); });
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
+        k_mark(w);
+        Events::of(w).mouse = {x, y};
+    });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int action, int) {
+        k_mark(w);
+        Events& events = Events::of(w);
+        if (action == GLFW_PRESS)
+            events.press = {.from = events.mouse, .to = {}};
+        else if (events.press && !events.press->to)
+            events.press->to = events.mouse;
+    });
     glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { k_mark(w); });
     glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
         k_mark(w);
@@ -187,6 +199,8 @@ std::vector<int> Window::take_pressed_keys() { return std::exchange(events_->pre
 std::vector<Window::Shortcut> Window::take_pressed_shortcuts() {
     return std::exchange(events_->pressed_shortcuts, {});
 }
+
+std::optional<Window::MousePress> Window::take_press() { return std::exchange(events_->press, {}); }
 
 std::vector<std::string> Window::take_dropped() { return std::exchange(events_->dropped, {}); }
 

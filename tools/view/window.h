@@ -68,6 +68,13 @@ public:
     std::vector<Shortcut> take_pressed_shortcuts();
     /// The files dropped on the window since the last call.
     std::vector<std::string> take_dropped();
+    /// Where the mouse was when a button was pressed, and when one was released after that, in units of the window.
+    struct MousePress {
+        glm::dvec2 from;
+        std::optional<glm::dvec2> to;
+    };
+    /// The last one since the last call.
+    std::optional<MousePress> take_press();
 
     GLFWwindow* handle() const noexcept { return window_; }
 

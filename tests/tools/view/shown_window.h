@@ -140,12 +140,23 @@ inline void move_mouse(tools::Window& window, double x, double y) {
     };
     for (int attempt = 0; attempt < 400 && !is_there(); ++attempt) window.poll(0.01);
     REQUIRE(is_there());
+    // GLFW passes on only what moves the mouse from outside.
+    const GLFWcursorposfun handler = glfwSetCursorPosCallback(window.handle(), nullptr);
+    handler(window.handle(), x, y);
+    glfwSetCursorPosCallback(window.handle(), handler);
 }
 
 // A button of the mouse is down in the next frame, and up in the one after it.
 inline void click(const tools::Window& window, int button) {
     const GLFWmousebuttonfun handler = glfwSetMouseButtonCallback(window.handle(), nullptr);
     handler(window.handle(), button, GLFW_PRESS, 0);
+    glfwSetMouseButtonCallback(window.handle(), handler);
+}
+
+// A button is released, also in the frame in which it is pressed.
+inline void release(const tools::Window& window, int button) {
+    const GLFWmousebuttonfun handler = glfwSetMouseButtonCallback(window.handle(), nullptr);
+    handler(window.handle(), button, GLFW_RELEASE, 0);
     glfwSetMouseButtonCallback(window.handle(), handler);
 }
 

@@ -26,8 +26,42 @@ TEST_CASE("what is dragged to pan a given picture beside the panel stays under t
     CHECK(glm::distance(target_pixel(), glm::dvec2(610, 250)) < 1.0);
     tests::move_mouse(shown.window, 610, 250);
     shown.loop->step(true);
-    tests::move_mouse(shown.window, 680, 200);
     tests::click(shown.window, GLFW_MOUSE_BUTTON_RIGHT);
+    tests::move_mouse(shown.window, 680, 200);
     shown.loop->step(true);
     CHECK(glm::distance(target_pixel(), glm::dvec2(680, 200)) < 1.0);
+}
+
+TEST_CASE(
+    "what the mouse moves before a button is pressed and after it is released drags nothing") {
+    RIMLINE_OPEN_DISPLAY(display);
+    tests::ShownWindow shown({.panel = true});
+    shown.resize(900, 500);
+    ViewSession& session = shown.session;
+    session.show(open_view({"shape:box"}, [](const std::string&) { return LongCall{}; }).view);
+    shown.capture();
+    const auto eye_after = [&](const auto& input) {
+        tests::move_mouse(shown.window, 500, 200);
+        shown.loop->step(true);
+        const glm::dvec3 before = session.camera.eye;
+        input();
+        shown.loop->step(true);
+        shown.loop->step(true);
+        return glm::distance(session.camera.eye, before);
+    };
+    // All of it in one frame.
+    CHECK(eye_after([&] {
+              tests::move_mouse(shown.window, 700, 350);
+              tests::click(shown.window, GLFW_MOUSE_BUTTON_LEFT);
+          }) == 0.0);
+    CHECK(eye_after([&] {
+              tests::move_mouse(shown.window, 700, 350);
+              tests::click(shown.window, GLFW_MOUSE_BUTTON_LEFT);
+              tests::release(shown.window, GLFW_MOUSE_BUTTON_LEFT);
+              tests::move_mouse(shown.window, 550, 300);
+          }) == 0.0);
+    CHECK(eye_after([&] {
+              tests::click(shown.window, GLFW_MOUSE_BUTTON_LEFT);
+              tests::move_mouse(shown.window, 700, 350);
+          }) > 0.1);
 }

@@ -326,6 +326,33 @@ TEST_CASE("a framed model is framed again when its shadow comes and goes") {
     }
 }
 
+TEST_CASE("a picture that is saved again is the same and saving it is no change to undo") {
+    RIMLINE_OPEN_DISPLAY(display);
+    tests::ShownWindow shown({.panel = true, .picture_size = ImageSize{320, 200}});
+    shown.session.appearance.ground = true;
+    shown.capture();
+    // A low sun of more digits than options have: its shadow widens the picture.
+    shown.session.lights.front().vector = glm::normalize(glm::dvec3(1.0 / 3.0, 0.3, 0.7));
+    shown.loop->step(true);
+    tests::ScratchFolder folder;
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(folder / "");
+    std::array<std::string, 2> saved;
+    for (std::string& bytes : saved) {
+        tests::tap_key(shown.window, GLFW_KEY_P);
+        shown.loop->step(true);
+        CHECK(shown.loop->message() == "saved view.png");
+        bytes = tests::read_bytes("view.png");
+    }
+    std::filesystem::current_path(before);
+    CHECK(saved[0] == saved[1]);
+    const std::vector<Light> lights = shown.session.lights;
+    tests::tap_key(shown.window, GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    shown.loop->step(true);
+    CHECK(shown.session.lights.front().vector != lights.front().vector);
+    CHECK(shown.loop->message() != "nothing to undo");
+}
+
 TEST_CASE("a mask that is saved has black and white and nothing between") {
     RIMLINE_OPEN_DISPLAY(display);
     tests::ShownWindow shown({.panel = true, .picture_size = ImageSize{200, 150}});

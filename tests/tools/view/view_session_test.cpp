@@ -508,6 +508,14 @@ TEST_CASE("a scene that the window writes says what the window shows") {
     CHECK(session.written_scene({640, 480}).picture["crease"] == "clear");
     session.appearance.only_clear_creases = false;
     CHECK(session.written_scene({640, 480}).picture["crease"] == 30.0);
+    // Without lines, none of what they have: `render` refuses it.
+    session.appearance.hidden = true;
+    session.appearance.lines = false;
+    for (const char* option : {"crease", "hidden", "line-width"}) {
+        CHECK_FALSE(session.written_scene({640, 480}).picture.contains(option));
+        CHECK(session.command({640, 480}, "a.png").find(std::string("--") + option) ==
+              std::string::npos);
+    }
 }
 
 TEST_CASE("a mask has no lines, and the next style has its own again") {
